@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from contextlib import closing
 from dataclasses import asdict
 from pathlib import Path
@@ -9,8 +10,17 @@ from typing import Any
 
 from app.cli.output import print_json, print_line, progress
 from app.cli.sessions import open_session
+from app.core.i18n import tr
+from app.core.scenes.review_words import COUNTED, decided_text, risk_text
 from tracking.progress import Progress
-from tracking.review import ReviewItem, filter_undecided, find_review_items, rank
+from tracking.review import (
+    ReviewFinding,
+    ReviewItem,
+    ReviewItemFinder,
+    ReviewState,
+    rank,
+    review_state,
+)
 from tracking.session import Session
 from tracking.session.hand_made import is_hand_made
 from tracking.translation import msg
@@ -29,17 +39,24 @@ def run_review(
     ):
         fps, labels = session.recording.fps, session.labels
         quiet = not hand_made and is_hand_made(session.corrected_run)
-        found = () if quiet else _found(session, hand_made, told)
-        left = filter_undecided(found, labels, fps, session.tracks)
-    shown = rank(left, order)[:most]
+        finding = ReviewFinding() if quiet else _found(session, hand_made, told)
+        state = review_state(finding, labels, session.tracks, fps)
+    shown = rank(state.left, order)[:most]
     if as_json:
-        entries = [_entry(one, fps) for one in shown]
-        counts = {"searched": not quiet, "found": len(found), "open": len(left)}
-        print_json({**counts, "review_items": entries})
+        print_json({**_figures(state, searched=not quiet), "review_items": _entries(shown, fps)})
         return
     if not shown:
-        print_line(_quiet() if quiet else _nothing(len(found)))
-        return
+        print_line(_quiet() if quiet else _nothing(len(state.found)))
+    else:
+        _print_items(shown)
+    if not quiet and state.items:
+        print_line()
+        print_line(decided_text(state.decided, state.items, state.reviewed))
+        print_line(risk_text(state.errors))
+        print_line(tr(COUNTED))
+
+
+def _print_items(shown: Iterable[ReviewItem]) -> None:
     print_line(msg("   frame  sure    rows  what may be wrong (what would correct it)"))
     for one in shown:
         print_line(
@@ -54,8 +71,8 @@ def run_review(
         )
 
 
-def _found(session: Session, hand_made: bool, told: Progress) -> tuple[ReviewItem, ...]:
-    return find_review_items(
+def _found(session: Session, hand_made: bool, told: Progress) -> ReviewFinding:
+    return ReviewItemFinder().find_with_begun(
         session.tracks,
         session.corrected_run,
         session.recording.fps,
@@ -78,6 +95,24 @@ def _nothing(found: int) -> str:
     return msg(
         "Nothing is left to look at: all {found} review items are decided or reviewed.", found=found
     )
+
+
+def _figures(state: ReviewState, *, searched: bool) -> dict[str, Any]:
+    """How far the review is; nothing is expected of tracks that were not searched."""
+    left = state.errors
+    expected = {"expected": left.mean, "low": left.low, "high": left.high}
+    return {
+        "searched": searched,
+        "found": len(state.found),
+        "decided": state.decided,
+        "open": len(state.left),
+        "boxes_reviewed": state.reviewed,
+        "errors_left": expected if searched else None,
+    }
+
+
+def _entries(shown: Iterable[ReviewItem], fps: float) -> list[dict[str, Any]]:
+    return [_entry(one, fps) for one in shown]
 
 
 def _entry(review_item: ReviewItem, fps: float) -> dict[str, Any]:

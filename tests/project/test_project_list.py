@@ -227,7 +227,8 @@ def test_a_hand_made_session_has_nothing_to_review(project: Project, folder: Pat
     assert session is not None
     assert session.facts is not None
     assert session.facts.hand_made
-    assert session.facts.reviewed is None
+    assert session.facts.decided_share is None
+    assert session.facts.errors is None
     assert next_to_review([rows_of(found)["b"]]) is None
 
 

@@ -18,7 +18,11 @@ def _row(
     name: str, errors: float, minutes: float, *, holder: str = "", hand_made: bool = False
 ) -> ProjectRow:
     facts = SessionFacts(
-        items_left=round(2 * errors), errors_left=errors, minutes_left=minutes, hand_made=hand_made
+        items_left=round(2 * errors),
+        errors_left=9 * errors,
+        errors_at_items=errors,
+        minutes_left=minutes,
+        hand_made=hand_made,
     )
     file = ScannedFile(Path(f"{name}.h5"), "")
     return ProjectRow(name, None, None, (SessionRow(file, facts, holder=holder),))

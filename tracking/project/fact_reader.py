@@ -15,14 +15,12 @@ from tracking.errors import TrackwrightError
 from tracking.project.facts import RecordingFacts, SessionFacts
 from tracking.project.readings import ReadFacts, Reading
 from tracking.recording import Recording, open_recording
-from tracking.review import ReviewItem, filter_undecided, find_review_items
+from tracking.review import ReviewItemFinder, review_state, reviewed_share
 from tracking.scoring import ScoringTable, score
 from tracking.session import Session
 from tracking.session.hand_made import is_hand_made
-from tracking.tracks import TRACK_COLUMNS, Labels, TrackTable, empty
+from tracking.tracks import TRACK_COLUMNS, Run, TrackTable, empty
 from tracking.translation import message_of, msg
-
-_SECONDS_A_MINUTE = 60.0
 
 
 def read_facts(reading: Reading) -> ReadFacts:
@@ -87,6 +85,7 @@ def _facts_of(session: Session) -> SessionFacts:
         tracker="" if run is None else run.tracker,
         people=len(table.track_ids),
         rows=len(table),
+        frames_done=frames_done(table, run),
         reviewed_rows=reviewed_share(table, session.labels),
         hand_made=is_hand_made(run),
         edits=len(entries),
@@ -104,38 +103,30 @@ def _authors(names: Sequence[str]) -> tuple[str, ...]:
 def _with_review(facts: SessionFacts, session: Session) -> SessionFacts:
     """The facts with what is left to review."""
     table, labels, fps = session.tracks, session.labels, session.recording.fps
-    found = find_review_items(
+    finding = ReviewItemFinder().find_with_begun(
         table, session.corrected_run, fps, labels, size=session.recording.size
     )
-    left = filter_undecided(found, labels, fps, table)
+    state = review_state(finding, labels, table, fps)
     return replace(
         facts,
-        decided=max(len(labels.verdicts), len(found) - len(left)),
-        items_left=len(left),
-        errors_left=sum(item.likelihood for item in left),
-        minutes_left=watched_frames(left) / fps / _SECONDS_A_MINUTE,
+        reviewed_rows=state.reviewed,
+        decided=state.decided,
+        items_left=len(state.left),
+        errors_left=state.errors.mean,
+        errors_low=state.errors.low,
+        errors_high=state.errors.high,
+        errors_at_items=state.errors.at_items,
+        minutes_left=state.minutes_left,
     )
 
 
-def watched_frames(items: Sequence[ReviewItem]) -> int:
-    """Frames in the stretches of review items; those that several show count once."""
-    seen = np.zeros(max((item.end for item in items), default=0), np.bool_)
-    for item in items:
-        seen[max(0, item.start) : item.end] = True
-    return int(np.count_nonzero(seen))
-
-
-def reviewed_share(table: TrackTable, labels: Labels) -> float:
-    """The share of rows that lie in ranges which somebody marked as reviewed, 0 to 1."""
-    rows = table.columns()
-    frame, track = rows["frame"], rows["track"]
-    if not len(frame):
-        return 0.0
-    seen = np.zeros(len(frame), np.bool_)
-    for one in labels.reviewed:
-        within = (frame >= one.start) & (frame < one.end)
-        seen |= within if one.track == 0 else within & (track == one.track)
-    return float(np.mean(seen))
+def frames_done(table: TrackTable, run: Run | None) -> int:
+    """Frames that a tracker went through, or that have rows."""
+    frames = np.unique(table.columns()["frame"])
+    if run is None or is_hand_made(run):
+        return len(frames)
+    start, stop = run.frames
+    return stop - start + int(np.count_nonzero((frames < start) | (frames >= stop)))
 
 
 def _with_score(facts: SessionFacts, recording: Recording, table: TrackTable) -> SessionFacts:

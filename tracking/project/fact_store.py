@@ -17,7 +17,7 @@ from tracking.project.readings import ReadFacts
 from tracking.stamps import software
 
 _NAME = "project.sqlite"
-_LAYOUT = 1
+_LAYOUT = 2
 _BUSY_MS = 2000
 _MOST_BYTES = 2 << 30
 _MOST_ROWS = 100_000

@@ -9,6 +9,7 @@ from dataclasses import dataclass, fields
 from typing import Any, Self
 
 from tracking.message_data import message_data, message_from
+from tracking.review import ErrorsLeft
 from tracking.translation import Message
 
 NO_MESSAGE = Message()
@@ -79,10 +80,11 @@ class SessionFacts(Facts):
         place: the recording's folder, seen from the session's, as the session says.
         tracker: whose result the tracks began as; "": nobody's.
         people: how many tracks. rows: person-frames.
-        reviewed_rows: share of the rows in ranges that somebody marked as reviewed, 0 to 1.
-        decided: review items that are settled: decided, or in reviewed ranges. items_left: others.
-        errors_left: identity errors expected at the items left: the sum of their likelihoods.
-        minutes_left: footage to be watched for these items.
+        frames_done: frames that were tracked, or have rows.
+        reviewed_rows, decided, minutes_left: see `tracking.review.ReviewState`; of labels the share
+            of rows in reviewed ranges alone.
+        items_left: review items that are neither decided nor in reviewed ranges.
+        errors_left, errors_low, errors_high, errors_at_items: see `tracking.review.ErrorsLeft`.
         hand_made: no tracker made the tracks, so that no item was looked for.
         edits: those in force. authors: of these, the latest last. part_labels: of body parts.
         idf1, mota: against the ground truth beside the recording; None: not scored.
@@ -93,10 +95,14 @@ class SessionFacts(Facts):
     tracker: str = ""
     people: int = 0
     rows: int = 0
+    frames_done: int = 0
     reviewed_rows: float = 0.0
     decided: int = 0
     items_left: int = 0
     errors_left: float = 0.0
+    errors_low: int = 0
+    errors_high: int = 0
+    errors_at_items: float = 0.0
     minutes_left: float = 0.0
     hand_made: bool = False
     edits: int = 0
@@ -107,12 +113,17 @@ class SessionFacts(Facts):
     not_scored: Message = NO_MESSAGE
 
     @property
-    def reviewed(self) -> float | None:
-        """How far the review is, 0 to 1; None where there is nothing to review."""
+    def decided_share(self) -> float | None:
+        """The share of the review items that is decided, 0 to 1; None where there are none."""
         items = self.decided + self.items_left
-        if items and not self.hand_made:
-            return self.decided / items
-        return self.reviewed_rows if self.rows else None
+        return self.decided / items if items else None
+
+    @property
+    def errors(self) -> ErrorsLeft | None:
+        """Identity errors expected to be left; None where nothing was looked for."""
+        if self.hand_made or not self.rows:
+            return None
+        return ErrorsLeft(self.errors_left, self.errors_low, self.errors_high, self.errors_at_items)
 
 
 _MESSAGES = ("problem", "not_scored")

@@ -20,7 +20,7 @@ def worth_of(row: ProjectRow) -> float | None:
     facts = row.session.facts if row.session is not None else None
     if facts is None or facts.problem or facts.hand_made or not facts.items_left:
         return None
-    return facts.errors_left / (facts.minutes_left + _OPENING_MINUTES)
+    return facts.errors_at_items / (facts.minutes_left + _OPENING_MINUTES)
 
 
 def next_to_review(rows: Iterable[ProjectRow], leave_out: str = "") -> ProjectRow | None:

@@ -5,5 +5,6 @@ from tracking.review.measures import Mistake, ReviewMeasures, ReviewMeter, revie
 from tracking.review.queue import filter_undecided, rank
 from tracking.review.reason_phrases import KINDS
 from tracking.review.review_item import ReviewItem, ReviewItemKey
-from tracking.review.review_search import ReviewItemFinder, find_review_items
-from tracking.review.risk import DecidedItems, ErrorsLeft, errors_left, reviewed_share
+from tracking.review.review_search import ReviewFinding, ReviewItemFinder, find_review_items
+from tracking.review.review_state import ReviewState, review_state
+from tracking.review.risk import DecidedItems, ErrorsLeft, errors_left, learned_rate, reviewed_share

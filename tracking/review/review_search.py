@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import dataclass
 
 import numpy as np
 
@@ -13,7 +14,8 @@ from tracking.review.block import Block, Scene, search_block
 from tracking.review.core.evidence import Rows
 from tracking.review.footage import Footage
 from tracking.review.queue import rank
-from tracking.review.review_item import ReviewItem
+from tracking.review.review_item import ReviewItem, ReviewItemKey
+from tracking.review.seams import corrected_items
 from tracking.tracks import Labels, Run, TrackTable, row_keys
 
 MOST = 10_000
@@ -57,6 +59,20 @@ def find_review_items(
     )
 
 
+@dataclass(frozen=True, slots=True)
+class ReviewFinding:
+    """What was found in tracks, and what it is held against.
+
+    Attributes:
+        items: of the tracks as they are now. begun: of the tracks as their run left them.
+        corrected: the items where an edit has joined, parted or exchanged their tracks.
+    """
+
+    items: tuple[ReviewItem, ...] = ()
+    begun: tuple[ReviewItem, ...] = ()
+    corrected: frozenset[ReviewItemKey] = frozenset()
+
+
 class ReviewItemFinder:
     """Looks through tracks again after each edit, anew only where something is another.
 
@@ -68,6 +84,41 @@ class ReviewItemFinder:
     def __init__(self) -> None:
         self._run: Run | None = None
         self._known: dict[tuple[object, ...], Block] = {}
+        self._begun: tuple[object, tuple[ReviewItem, ...]] | None = None
+        self._first = TrackTable()
+
+    def find_with_begun(
+        self,
+        table: TrackTable,
+        run: Run | None,
+        fps: float,
+        labels: Labels | None = None,
+        view: View | None = None,
+        progress: Progress | None = None,
+        *,
+        size: tuple[int, int] | None = None,
+        hand_made: bool = False,
+    ) -> ReviewFinding:
+        """The items of the tracks, and those of the tracks as they began: as the run found them.
+
+        The latter are looked for once. Args: see `find_review_items`.
+        """
+        extent = view.camera.size if view else size
+        asked = fps, extent, labels.occluders if labels else (), hand_made
+        tell = progress or _untold
+        if run is None:
+            self._first, self._begun = table, (asked, ())
+        elif run is not self._run or self._begun is None or self._begun[0] != asked:
+            self._first = TrackTable(run.tracks)
+            begun = self.find(
+                *(self._first, run, fps, labels, view, _part_of(tell, 0)),
+                size=size,
+                hand_made=hand_made,
+            )
+            self._begun = asked, begun
+            tell = _part_of(tell, 1)
+        found = self.find(table, run, fps, labels, view, tell, size=size, hand_made=hand_made)
+        return ReviewFinding(found, self._begun[1], corrected_items(found, self._first, table))
 
     def find(
         self,
@@ -113,6 +164,11 @@ class ReviewItemFinder:
         self._known = now
         tell(len(starts), len(starts))
         return list(now.values())
+
+
+def _part_of(tell: Progress, number: int) -> Progress:
+    """Tells of the first (0) or the second (1) half of the work."""
+    return lambda done, total: tell(number * total + done, 2 * total)
 
 
 def _untold(done: int, total: int) -> None:

@@ -57,11 +57,17 @@ class ErrorsLeft:
     Attributes:
         mean: expected. low, high: hold in at least four of five cases on footage that the figures
             were not fitted to.
+        at_items: of those expected, the ones at the items left; the others are where no item is.
+
+    Counted are identity errors as in `tracking.scoring.identity_errors`: somebody goes on under
+    another id, or a track goes over to somebody else. People without a track, tracks of nobody and
+    inexact boxes are none.
     """
 
     mean: float
     low: int
     high: int
+    at_items: float = 0.0
 
 
 def errors_left(
@@ -76,15 +82,28 @@ def errors_left(
         model: another one than the one built in.
     """
     known = model or RiskModel()
-    shape = known.shape + known.weight * decided.errors
-    rate = known.shape + known.weight * known.shown * decided.stated
-    exposure = known.shown * stated_left + known.hidden * stated_hidden
+    shape, rate = _learned(decided, known)
+    shown = known.shown * stated_left
+    exposure = shown + known.hidden * stated_hidden
     if exposure <= 0:
         return ErrorsLeft(0.0, 0, 0)
     from scipy.stats import nbinom  # takes long to load, and most commands never need it
 
     spread = nbinom(shape, rate / (rate + exposure))
-    return ErrorsLeft(shape / rate * exposure, int(spread.ppf(_LOW)), int(spread.ppf(_HIGH)))
+    low, high = (int(spread.ppf(share)) for share in (_LOW, _HIGH))
+    return ErrorsLeft(shape / rate * exposure, low, high, shape / rate * shown)
+
+
+def learned_rate(decided: DecidedItems, model: RiskModel | None = None) -> float:
+    """How many times as many errors as usual the decisions let expect; 1 before any decision."""
+    shape, rate = _learned(decided, model or RiskModel())
+    return shape / rate
+
+
+def _learned(decided: DecidedItems, model: RiskModel) -> tuple[float, float]:
+    """Shape and rate of the Gamma variable, once the decisions are known."""
+    shape = model.shape + model.weight * decided.errors
+    return shape, model.shape + model.weight * model.shown * decided.stated
 
 
 def reviewed_share(table: TrackTable, labels: Labels, decided: Iterable[ReviewItem] = ()) -> float:

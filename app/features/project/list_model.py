@@ -22,7 +22,7 @@ from app.features.project.scene import Mood, RecordingRow
 
 ROW = Qt.ItemDataRole.UserRole
 ORDER = Qt.ItemDataRole.UserRole + 1
-STATE = 6
+STATE = 8
 Index = QModelIndex | QPersistentModelIndex
 _NO_PARENT = QModelIndex()
 _MOST_IMAGES = 1000
@@ -98,6 +98,10 @@ class RecordingModel(QAbstractTableModel):
         for number, (old, new) in enumerate(zip(before, rows, strict=True)):
             if old != new:
                 self.dataChanged.emit(self.index(number, 0), self.index(number, last))
+
+    def texts(self, column: int) -> set[str]:
+        """What the cells of a column after the first say."""
+        return {row.cells[column - 1] for row in self._rows}
 
     def row(self, number: int) -> RecordingRow:
         """A recording."""

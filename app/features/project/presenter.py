@@ -10,6 +10,7 @@ from datetime import timedelta
 from pathlib import Path
 
 from app.core.i18n import N_, count_text, joined_text, sentence, strip_full_stop, tr
+from app.core.scenes.review_words import COUNTED, decided_text, risk_figures, risk_text
 from app.features.project.scene import Mood, ProjectScene, RecordingRow, Sortable
 from tracking.batch.watch import WorkedOn
 from tracking.project import ProjectList, ProjectRow, SessionFacts, next_to_review, worth_of
@@ -17,7 +18,9 @@ from tracking.project import ProjectList, ProjectRow, SessionFacts, next_to_revi
 COLUMNS = (
     N_("Recording"),
     N_("Length"),
+    N_("Frames"),
     N_("People"),
+    N_("Decided"),
     N_("Reviewed"),
     N_("Errors left"),
     N_("IDF1"),
@@ -27,17 +30,16 @@ COLUMNS = (
 HINTS = (
     "",
     N_("Length of the footage, h:min:s"),
+    N_("Frames that are tracked or labelled, of all"),
     N_("Tracks in the session"),
-    N_(
-        "Share of the review items that are decided; of tracks drawn by hand, of the rows that are "
-        "marked as reviewed"
-    ),
-    N_("Identity errors that are expected at the review items left"),
+    N_("Share of the review items that are decided or in reviewed ranges"),
+    N_("Share of the boxes in reviewed ranges or where decided review items are shown"),
+    COUNTED,
     N_("IDF1 against the ground truth beside the recording"),
     "",
     N_("Who edited the session last; who has it open now"),
 )
-NUMBERS = frozenset({1, 2, 3, 4, 5})
+NUMBERS = frozenset({1, 2, 3, 4, 5, 6, 7})
 """Columns that hold numbers."""
 NEXT_RULE = N_(
     "Opens the recording where a review is expected to find most identity errors for each minute: "
@@ -45,8 +47,6 @@ NEXT_RULE = N_(
     "minute for opening it. Recordings that somebody has open are left out."
 )
 _NOTHING = -1.0
-_FEW = 10
-"""Fewer expected errors are told with a decimal."""
 
 
 def scene_of(
@@ -67,7 +67,11 @@ def scene_of(
     if found is None:
         return ProjectScene(title, place, empty=tr("Looking through the folder..."))
     found = replace(found, rows=tuple(_without_past(row, left) for row in found.rows))
-    rows = tuple(_row(row, _now(row, works or {}, left), folder) for row in found.rows)
+    seeking = any(not one.reading.of_session for one in found.wanted)
+    rows = tuple(
+        _row(row, _now(row, works or {}, left), _detail(row, folder, seeking=seeking))
+        for row in found.rows
+    )
     best = next_to_review(found.rows)
     return ProjectScene(
         title,
@@ -108,13 +112,15 @@ def _now(
     return _state(row)
 
 
-def _row(row: ProjectRow, now: tuple[str, Mood], folder: Path) -> RecordingRow:
+def _row(row: ProjectRow, now: tuple[str, Mood], detail: str) -> RecordingRow:
     state, mood = now
     facts = _facts(row)
     cells: tuple[tuple[str, Sortable], ...] = (
         _length(row),
+        _frames(facts),
         _count(facts.people if facts is not None else None),
-        _share(facts.reviewed if facts is not None else None),
+        _share(facts.decided_share if facts is not None else None),
+        _share(facts.reviewed_rows if facts is not None and facts.rows else None),
         _errors(facts),
         _score(facts),
         (state, state.casefold()),
@@ -122,7 +128,7 @@ def _row(row: ProjectRow, now: tuple[str, Mood], folder: Path) -> RecordingRow:
     )
     return RecordingRow(
         row.name,
-        _detail(row, folder),
+        detail,
         mood,
         tuple(text for text, _ in cells),
         (row.name.casefold(), *(order for _, order in cells)),
@@ -177,8 +183,11 @@ def _batch_state(row: ProjectRow) -> tuple[str, Mood]:
     return (tr("Skipped"), Mood.QUIET) if state == "skipped" else (tr("Failed"), Mood.BAD)
 
 
-def _detail(row: ProjectRow, folder: Path) -> str:
-    """The line below the name: a reason first, else which session is shown."""
+def _detail(row: ProjectRow, folder: Path, *, seeking: bool) -> str:
+    """The line below the name: a reason first, else which session is shown.
+
+    seeking: recordings are still being read, and the images of one may be those of a session.
+    """
     if row.problem:
         places = [folder if row.recording is None else row.recording.path, folder]
         text = sentence(row.problem)
@@ -191,6 +200,8 @@ def _detail(row: ProjectRow, folder: Path) -> str:
     if session.note:
         return sentence(session.note)
     if row.recording is None:
+        if seeking or session.facts is None:
+            return tr("looking for its recording")
         return tr("its recording is not in this folder")
     more = len(row.sessions) - 1
     if not more:
@@ -215,15 +226,17 @@ def _share(share: float | None) -> tuple[str, Sortable]:
     return ("", _NOTHING) if share is None else (f"{share:.0%}", share)
 
 
-def _errors(facts: SessionFacts | None) -> tuple[str, Sortable]:
-    if facts is None or facts.hand_made or not facts.rows:
+def _frames(facts: SessionFacts | None) -> tuple[str, Sortable]:
+    if facts is None:
         return "", _NOTHING
-    return errors_text(facts.errors_left), facts.errors_left
+    done, frames = facts.frames_done, max(facts.frames, facts.frames_done)
+    text = str(done) if done == frames else tr("{n} of {all}", n=done, all=frames)
+    return text, done / max(frames, 1)
 
 
-def errors_text(errors: float) -> str:
-    """Expected errors as a number that is not more exact than it can be."""
-    return f"{errors:.1f}" if errors < _FEW else f"{errors:.0f}"
+def _errors(facts: SessionFacts | None) -> tuple[str, Sortable]:
+    left = facts.errors if facts is not None else None
+    return ("", _NOTHING) if left is None else (risk_figures(left), left.mean)
 
 
 def _score(facts: SessionFacts | None) -> tuple[str, Sortable]:
@@ -258,15 +271,10 @@ def _tip(row: ProjectRow) -> Iterator[str]:
         if facts.authors:
             words.append(joined_text(", ", facts.authors))
         yield "  \u00b7  ".join(filter(None, words))
-        if facts.items_left:
-            yield tr(
-                "{decided} of {all} review items decided; {errors} errors expected in "
-                "{minutes:.1f} minutes of footage",
-                decided=facts.decided,
-                all=facts.decided + facts.items_left,
-                errors=errors_text(facts.errors_left),
-                minutes=facts.minutes_left,
-            )
+        if facts.errors is not None:
+            items = facts.decided + facts.items_left
+            yield decided_text(facts.decided, items, facts.reviewed_rows)
+            yield risk_text(facts.errors)
         if facts.mota is not None:
             yield tr("MOTA {mota:.3f}", mota=facts.mota)
         if facts.not_scored:
@@ -289,16 +297,24 @@ def _summary(rows: tuple[ProjectRow, ...]) -> str:
 
 
 def _next_text(row: ProjectRow) -> str:
+    """Which is next, what a review of it takes, and what is left in it."""
     facts = _facts(row)
     assert facts is not None
-    return tr(
-        "{name}: {errors} errors expected in {minutes:.1f} minutes of footage, {worth} for each "
-        "minute of review",
+    assert facts.errors is not None
+    left = count_text(
+        facts.items_left,
+        "{name}: {n} review item left, {time} min to watch.",
+        "{name}: {n} review items left, {time} min to watch.",
         name=row.name,
-        errors=errors_text(facts.errors_left),
-        minutes=facts.minutes_left,
-        worth=errors_text(worth_of(row) or 0.0),
+        time=_minutes(facts.minutes_left),
     )
+    return f"{left} {risk_text(facts.errors)}"
+
+
+def _minutes(minutes: float) -> str:
+    """Minutes and seconds, at least one: "0:12"."""
+    whole, seconds = divmod(max(1, round(60.0 * minutes)), 60)
+    return f"{whole}:{seconds:02d}"
 
 
 def _nothing_next(rows: tuple[ProjectRow, ...]) -> str:

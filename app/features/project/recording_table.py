@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from PySide6.QtCore import QItemSelectionModel, Qt, Signal
-from PySide6.QtGui import QKeyEvent, QMouseEvent
+from PySide6.QtGui import QKeyEvent, QMouseEvent, QResizeEvent
 from PySide6.QtWidgets import QAbstractItemView, QHeaderView, QTableView, QWidget
 
 from app.core.i18n import tr
@@ -14,10 +14,10 @@ from app.features.project.name_cell import NameCell, row_height
 from app.features.project.presenter import COLUMNS
 from app.features.project.scene import RecordingRow
 
-_LETTERS = (0, 9, 8, 10, 11, 7, 17, 20)
+_LETTERS = (36, 8, 8, 0, 0, 0, 11, 6, 12, 12)
 """Of columns, at least; the first one takes what is left."""
+_MOST_LETTERS = 32
 _PAD_PX = 16
-_WHO = len(COLUMNS) - 1
 
 
 class RecordingTable(QTableView):
@@ -31,6 +31,7 @@ class RecordingTable(QTableView):
     def __init__(self, image_of: Callable[[str], bytes], parent: QWidget) -> None:
         """image_of: see `RecordingModel`."""
         super().__init__(parent)
+        self._fitted: dict[int, int] = {}
         self.recordings = RecordingModel(image_of, self)
         self.shown = RecordingFilter(self.recordings, self)
         self.setModel(self.shown)
@@ -48,24 +49,46 @@ class RecordingTable(QTableView):
         self.verticalHeader().hide()
         self.verticalHeader().setSectionResizeMode(QHeaderView.ResizeMode.Fixed)
         self.verticalHeader().setDefaultSectionSize(row_height(self.fontMetrics()))
+        header = self.horizontalHeader()
+        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
+        header.sectionResized.connect(lambda column, *_: self._fit_first() if column else None)
         self._fit_columns()
 
     def _fit_columns(self) -> None:
+        """Each column as wide as its words, the first one with what is left.
+
+        What somebody made wider or narrower stays so.
+        """
         header, letters = self.horizontalHeader(), self.fontMetrics()
         header.setHighlightSections(False)
-        header.setSectionResizeMode(QHeaderView.ResizeMode.Interactive)
-        header.setSectionResizeMode(0, QHeaderView.ResizeMode.Stretch)
         for column in range(1, len(COLUMNS)):
-            words = max(
-                _LETTERS[column] * letters.averageCharWidth(),
-                letters.horizontalAdvance(tr(COLUMNS[column])) + letters.height(),
-            )
-            self.setColumnWidth(column, words + _PAD_PX)
+            if self.columnWidth(column) != self._fitted.get(column, self.columnWidth(column)):
+                continue
+            words = [letters.horizontalAdvance(tr(COLUMNS[column])) + letters.height()]
+            words += map(letters.horizontalAdvance, self.recordings.texts(column))
+            most = _MOST_LETTERS * letters.averageCharWidth()
+            wide = max(min(max(words), most), _LETTERS[column] * letters.averageCharWidth())
+            self._fitted[column] = wide + _PAD_PX
+            self.setColumnWidth(column, wide + _PAD_PX)
+        self._fit_first()
+
+    def _fit_first(self) -> None:
+        """The first column takes what is left, and has room for a name where little is."""
+        header = self.horizontalHeader()
+        least = _LETTERS[0] * self.fontMetrics().averageCharWidth()
+        others = sum(map(self.columnWidth, range(1, len(COLUMNS))))
+        header.resizeSection(0, max(least, self.viewport().width() - others))
+
+    def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
+        """Another width is left for the first column."""
+        super().resizeEvent(event)
+        self._fit_first()
 
     def show_rows(self, rows: tuple[RecordingRow, ...]) -> None:
         """Show other rows; what is selected stays so, where it is still listed."""
         chosen, current = set(self.chosen_names()), self.current_name()
         self.recordings.show_rows(rows)
+        self._fit_columns()
         if self.chosen_names() == chosen or not chosen:
             return
         flags = QItemSelectionModel.SelectionFlag

@@ -21,6 +21,7 @@ from app.features.review.presenter import (
     ReviewQueue,
     is_fixable,
     plan_review_verdict,
+    settles,
     with_fixed_verdict,
 )
 from app.features.review.queue_updates import QueueUpdates
@@ -32,6 +33,7 @@ from app.features.review.watched_ranges import WatchedRanges
 from tracking.editing import Change, plan_mark_reviewed, plan_unmark_reviewed
 from tracking.errors import TrackwrightError
 from tracking.review import ReviewItem, ReviewItemKey
+from tracking.tracks import Labels
 
 
 @dataclass(frozen=True, slots=True)
@@ -71,6 +73,7 @@ class ReviewController(Controller):
         self._document, self._playback = document, playback
         self._panel = panel
         document.correcting.item_looked_at = lambda: self.queue.current
+        document.settle = self._settle
         self._updates = QueueUpdates(document, self.queue, self)
         self._search = self._updates.search
         self._strip = StripSearch(document, playback, self.queue.name_of, self)
@@ -293,14 +296,22 @@ class ReviewController(Controller):
         self._playback.go(current.frame)
         self.fix_asked.emit(edit_named(current.fix))
         self._fixing = current
-        self._document.settle = lambda change, labels: with_fixed_verdict(change, current, labels)
 
     def _follow_fix(self) -> None:
-        """An edit that is left, or another one, settles nothing."""
+        """An edit that is left, or another one, is not the one that was begun here."""
         fixing, flow = self._fixing, self._document.flow
         if fixing is None or (flow is not None and flow.spec is edit_named(fixing.fix)):
             return
-        self._fixing, self._document.settle = None, None
+        self._fixing = None
+
+    def _settle(self, change: Change, labels: Labels) -> Change:
+        """The edit with the verdict on the review item that it puts right, if it does so."""
+        if self._fixing is not None:
+            return with_fixed_verdict(change, self._fixing, labels)
+        current = self.current
+        if current is None or not settles(change, current, self._document.recording.fps):
+            return change
+        return with_fixed_verdict(change, current, labels)
 
     # what is reviewed
 

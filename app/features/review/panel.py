@@ -184,6 +184,8 @@ class ReviewPanel(Panel):
         self.learned.setToolTip(scene.all_learned)
         self._say(self._doing, scene.doing)
         self._say(self._meter, scene.meter)
+        self._meter.setToolTip(scene.counted)
+        self._meter.setAccessibleDescription(scene.counted)
         self.keep_low(not listed)
         self._select(scene.current)
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from collections.abc import Mapping
+from dataclasses import dataclass
 from typing import Final
 
 from app.core.colours.track_colours import ColourOf
@@ -13,14 +13,13 @@ from app.core.scenes.queue_rows import ReviewPerson, ReviewRow
 from app.features.review.scene import Order, ReviewKind
 from tracking.editing import Change, plan_verdict, with_verdict
 from tracking.review import (
-    DecidedItems,
     KindRecord,
+    ReviewFinding,
     ReviewItem,
     ReviewItemKey,
-    filter_undecided,
+    ReviewState,
     rank,
-    records_of,
-    with_learned_likelihoods,
+    review_state,
 )
 from tracking.tracks import Labels, TrackTable, Verdict
 from tracking.translation import Message, joined, msg
@@ -46,10 +45,9 @@ _KINDS: Final = {
 }
 _FIXES: Final = frozenset({"swap", "split", "merge", "delete"})
 """Edits that can be begun for a review item; others can only be looked at."""
-Outcome = tuple[ReviewItemKey, float, bool]
-"""A decided item, what was stated of it, and whether it was an error."""
-_UNKNOWN: Final = 0.5
-"""Likelihood of a decided item of a kind that is not found any more."""
+
+_OF_TWO: Final = frozenset({"swap", "merge"})
+_IDENTITY_EDITS: Final = _OF_TWO | {"split", "reassign", "delete"}
 
 
 def kind_title(kind: str) -> str:
@@ -64,23 +62,6 @@ def _title(kind: str) -> Message:
 def is_fixable(item: ReviewItem) -> bool:
     """Whether an edit is known that would put it right."""
     return item.fix in _FIXES
-
-
-@dataclass(frozen=True, slots=True)
-class QueueFigures:
-    """How far the queue is.
-
-    Attributes:
-        found: how many items there are. decided: those of them that are decided or reviewed.
-        outcome: what came of decided items. stated: sum of the likelihoods, as found, of all items,
-            those put right among them. stated_left: of those left.
-    """
-
-    found: int = 0
-    decided: tuple[ReviewItem, ...] = ()
-    outcome: DecidedItems = field(default_factory=DecidedItems)
-    stated: float = 0.0
-    stated_left: float = 0.0
 
 
 @dataclass(frozen=True, slots=True)
@@ -100,32 +81,33 @@ class ReviewQueue:
 
     Attributes:
         kind: the one that is listed, "" for all. order: of the list.
-        records: what came of the decided items, by kind. figures: how far the queue is.
+        state: how far the review is. is_searched: its tracks were looked through.
     """
 
     def __init__(self, fps: float, colour_of: ColourOf) -> None:
         self.kind = ""
         self.order = Order.WORTH
         self._fps, self._colour_of = fps, colour_of
-        self._found: tuple[ReviewItem, ...] = ()
-        self._learned: tuple[ReviewItem, ...] = ()
-        self._stated: dict[ReviewItemKey, float] = {}
-        self._corrected: frozenset[ReviewItemKey] = frozenset()
-        self.records: Mapping[str, KindRecord] = {}
-        self.figures = QueueFigures()
-        self._open: tuple[ReviewItem, ...] = ()
+        self._finding = ReviewFinding()
+        self.state = ReviewState()
+        self.is_searched = False
         self._shown: tuple[ReviewItem, ...] = ()
         self._current: ReviewItemKey | None = None
         self._returns_to: ReviewItemKey | None = None
         self._last_place = 0
-        self._table: TrackTable | None = None
+        self._table = TrackTable()
         self._names: Mapping[int, str] = {}
         self._items: tuple[ReviewRow, ...] = ()
 
     @property
     def open(self) -> tuple[ReviewItem, ...]:
         """All that are left, of every kind, the most worth looking at first."""
-        return self._open
+        return self.state.left
+
+    @property
+    def records(self) -> Mapping[str, KindRecord]:
+        """What came of the decided items, by kind."""
+        return self.state.records
 
     @property
     def items(self) -> tuple[ReviewRow, ...]:
@@ -149,14 +131,11 @@ class ReviewQueue:
         """The key of the one looked at last, also where it is not listed any more."""
         return self._current
 
-    def take(
-        self, found: Sequence[ReviewItem], labels: Labels, table: TrackTable | None = None
-    ) -> None:
+    def take(self, finding: ReviewFinding, labels: Labels, table: TrackTable | None = None) -> None:
         """Take what was found in a table, less what people have decided or reviewed."""
-        self._found = self._learned = tuple(found)
-        self._table = table
-        self._stated |= {one.key: one.likelihood for one in found}
-        self.records = {}
+        self._finding = finding
+        self._table = TrackTable() if table is None else table
+        self.is_searched = True
         self.take_labels(labels)
         if self._returns_to is not None:
             self.return_to(self._returns_to)
@@ -164,62 +143,13 @@ class ReviewQueue:
 
     def take_labels(self, labels: Labels) -> None:
         """Take what people have decided by now, and learn from it."""
-        outcomes = tuple(self._outcomes(labels))
-        records = records_of((kind, stated, error) for (kind, *_), stated, error in outcomes)
-        if records != self.records:
-            self.records = records
-            self._learned = with_learned_likelihoods(self._found, records)
-        self._open = filter_undecided(self._learned, labels, self._fps, self._table)
-        self.figures = self._figures_of(outcomes)
+        self.state = review_state(self._finding, labels, self._table, self._fps)
         self._list()
-
-    def _figures_of(self, outcomes: Sequence[Outcome]) -> QueueFigures:
-        every = {key: stated for key, stated, _ in outcomes}
-        every |= {one.key: one.likelihood for one in self._found}
-        left = {one.key for one in self._open}
-        return QueueFigures(
-            found=len(self._found),
-            decided=tuple(one for one in self._found if one.key not in left),
-            outcome=DecidedItems(
-                sum(stated for _, stated, _ in outcomes), sum(error for *_, error in outcomes)
-            ),
-            stated=sum(every.values()),
-            stated_left=sum(every[key] for key in left),
-        )
-
-    def take_corrected(self, corrected: frozenset[ReviewItemKey], labels: Labels) -> None:
-        """Take at which items tracks were corrected by hand in this sitting: they were errors."""
-        if corrected != self._corrected:
-            self._corrected = corrected
-            self.take_labels(labels)
 
     def forget(self) -> None:
         """The same ids are other people from now on."""
-        self._stated, self._corrected = {}, frozenset()
-        self.take((), Labels())
-
-    def _outcomes(self, labels: Labels) -> Iterator[Outcome]:
-        """What came of each decided item.
-
-        What was dismissed says nothing. Where an item was put right before it was found here, it
-        is taken for one like the others of its kind.
-        """
-        errors = dict.fromkeys(self._corrected, True)
-        for key, verdict in labels.verdicts.items():
-            if verdict.decision != "dismissed":
-                errors[key] = verdict.decision == "fixed"
-        if not errors:
-            return
-        usual = self._usual_likelihoods()
-        for key, error in errors.items():
-            yield key, self._stated.get(key, usual.get(key[0], _UNKNOWN)), error
-
-    def _usual_likelihoods(self) -> dict[str, float]:
-        """By kind, the mean of what was stated."""
-        sums: dict[str, list[float]] = {}
-        for key, stated in self._stated.items():
-            sums.setdefault(key[0], []).append(stated)
-        return {kind: sum(every) / len(every) for kind, every in sums.items()}
+        self.take(ReviewFinding(), Labels())
+        self.is_searched = False
 
     def learned_text(self) -> str:
         """What came of the current item's kind here; "" where nothing did."""
@@ -278,7 +208,7 @@ class ReviewQueue:
         """
         near = [
             one
-            for one in self._open
+            for one in self.open
             if one.tracks == key[1] and abs(one.frame - key[2]) <= self._fps
         ]
         found = min(
@@ -307,7 +237,7 @@ class ReviewQueue:
     def kinds(self) -> tuple[ReviewKind, ...]:
         """The kinds there are, with how many are left of each."""
         counts: dict[str, int] = {}
-        for item in self._open:
+        for item in self.open:
             counts[item.kind] = counts.get(item.kind, 0) + 1
         titled = [ReviewKind(kind, kind_title(kind), n) for kind, n in counts.items()]
         return tuple(sorted(titled, key=lambda one: one.title))
@@ -318,7 +248,7 @@ class ReviewQueue:
             TimelineMark(
                 MarkKind.REVIEW_ITEM, one.frame, track, f"{kind_title(one.kind)}: {tr(one.text)}"
             )
-            for one in self._open
+            for one in self.open
             for track in one.tracks
         )
 
@@ -327,9 +257,9 @@ class ReviewQueue:
         self._list()
 
     def _list(self) -> None:
-        if self._found and self.kind not in {item.kind for item in self._open}:
+        if self._finding.items and self.kind not in {item.kind for item in self.open}:
             self.kind = ""
-        wanted = [one for one in self._open if self.kind in ("", one.kind)]
+        wanted = [one for one in self.open if self.kind in ("", one.kind)]
         self._shown = rank(wanted, self.order.value)
         self._items = tuple(self._item(item) for item in self._shown)
 
@@ -371,6 +301,19 @@ def plan_review_verdict(item: ReviewItem, decision: str, labels: Labels) -> Chan
 def with_fixed_verdict(change: Change, item: ReviewItem, labels: Labels) -> Change:
     """The edit that puts a review item right, with the verdict that it did: undone together."""
     return with_verdict(change, labels, _verdict(item, "fixed"))
+
+
+def settles(change: Change, item: ReviewItem, fps: float) -> bool:
+    """Whether an edit by hand puts a review item right.
+
+    It does where it is the edit that the item asks for (any of identities where that is not known),
+    of its people, in the stretch that it shows or within a second of it.
+    """
+    both = set(item.tracks) <= set(change.tracks)
+    some = not set(item.tracks).isdisjoint(change.tracks)
+    concerned = both if change.kind in _OF_TWO else some
+    asked = change.kind in (_IDENTITY_EDITS if item.fix == "look" else {item.fix})
+    return concerned and asked and item.start - fps <= change.frame < item.end + fps
 
 
 def _verdict(item: ReviewItem, decision: str) -> Verdict:

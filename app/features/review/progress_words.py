@@ -2,51 +2,30 @@
 
 from __future__ import annotations
 
-from app.core.i18n import count_text, tr
-from app.features.review.presenter import QueueFigures
-from tracking.review import ErrorsLeft, errors_left, reviewed_share
-from tracking.session import Session
-from tracking.tracks import Labels
+from app.core.i18n import tr
+from app.core.scenes.review_words import decided_text, risk_text
+from tracking.review import DecidedItems, ReviewState, learned_rate
+
+_MANY, _FEW = 1.25, 0.8
+"""As many times the usual number of errors is told."""
 
 
-class ProgressWords:
-    """Counts anew only where tracks, labels or items are others."""
-
-    def __init__(self) -> None:
-        self._of: tuple[int, Labels, QueueFigures] | None = None
-        self._text = ""
-
-    def text(self, figures: QueueFigures, session: Session) -> str:
-        """In a sentence or two; "" where nothing was found."""
-        revision, labels = session.tracks.revision, session.labels
-        if self._of is None or not (
-            self._of[0] == revision and self._of[1] is labels and self._of[2] is figures
-        ):
-            self._of, self._text = (revision, labels, figures), _said(figures, session)
-        return self._text
-
-
-def _said(figures: QueueFigures, session: Session) -> str:
-    if not figures.found and not figures.outcome.stated:
+def progress_text(state: ReviewState) -> str:
+    """In a few sentences; "" where nothing was found."""
+    if not state.items:
         return ""
-    share = reviewed_share(session.tracks, session.labels, figures.decided)
-    left = errors_left(figures.stated_left, figures.outcome, figures.stated * (1.0 - share))
-    decided = len(figures.decided)
-    reviewed = tr(
-        "Reviewed: {share:.0%} of the footage, {decided} of {found} items.",
-        share=share,
-        decided=decided,
-        found=figures.found,
-    )
-    return f"{reviewed} {risk_text(left)}"
+    so_far = decided_text(state.decided, state.items, state.reviewed)
+    words = (so_far, risk_text(state.errors), learned_text(state.outcome))
+    return " ".join(word for word in words if word)
 
 
-def risk_text(left: ErrorsLeft) -> str:
-    """How many errors are expected to be left, and how sure that is."""
-    return count_text(
-        round(left.mean),
-        "About {n} error left (likely {low} to {high}).",
-        "About {n} errors left (likely {low} to {high}).",
-        low=left.low,
-        high=left.high,
-    )
+def learned_text(outcome: DecidedItems) -> str:
+    """Why more, or fewer, errors are expected than before; "" where decisions changed little."""
+    rate = learned_rate(outcome)
+    if rate >= _MANY:
+        return tr("More decided items were errors than stated, so more are expected in the others.")
+    if rate <= _FEW:
+        return tr(
+            "Fewer decided items were errors than stated, so fewer are expected in the others."
+        )
+    return ""

@@ -11,10 +11,10 @@ from app.core.document.document import Document
 from app.features.review.edited_items import EditedItems
 from app.features.review.presenter import ReviewQueue
 from app.features.review.review_search import ReviewSearch, Subject
-from tracking.review import ReviewItem, ReviewItemKey
+from tracking.review import ReviewFinding, ReviewItemKey
 from tracking.session import Session
 from tracking.session.hand_made import is_hand_made
-from tracking.tracks import Labels
+from tracking.tracks import Labels, Occluder
 
 
 @dataclass(frozen=True, slots=True)
@@ -24,6 +24,7 @@ class _Searched:
     session: Session | None = None
     revision: int = 0
     run: int | None = None
+    occluders: tuple[Occluder, ...] = ()
 
 
 class QueueUpdates(QObject):
@@ -75,7 +76,7 @@ class QueueUpdates(QObject):
         self.search.hand_made = flags
         if self.waits:
             self.search.stop()
-            self._queue.take((), session.labels)
+            self._queue.take(ReviewFinding(), session.labels)
         else:
             self.search.look(at_once=True)
         self.taken.emit()
@@ -89,7 +90,8 @@ class QueueUpdates(QObject):
     def _follow_tracks(self, session: Session) -> None:
         """Search again where tracks are others than those that were searched."""
         before = self._searched
-        now = _Searched(session, session.tracks.revision, session.adopted_run)
+        occluders = session.labels.occluders
+        now = _Searched(session, session.tracks.revision, session.adopted_run, occluders)
         if now == before:
             return
         self._searched = now
@@ -104,7 +106,7 @@ class QueueUpdates(QObject):
             self.search.look(at_once=anew)
 
     def _follow_labels(self, session: Session, *, first: bool) -> Set[ReviewItemKey]:
-        """Take decisions and corrections; the items of those that were undone.
+        """Take decisions; the items of decisions and corrections that were undone.
 
         first: the session is another one, whose earlier edits count for nothing here.
         """
@@ -116,7 +118,6 @@ class QueueUpdates(QObject):
             return frozenset()
         key = self._queue.current_key
         item = self._edited.follow(session.history, key, self._document.edited)
-        self._queue.take_corrected(self._edited.corrected, session.labels)
         undecided = before.verdicts.keys() - session.labels.verdicts.keys()
         if item is not None and (item in undecided or not undecided):
             return {item}  # also of many that were decided at once
@@ -127,8 +128,8 @@ class QueueUpdates(QObject):
         assert session is not None
         return session.tracks.snapshot(), session.corrected_run, session.labels
 
-    def _take(self, found: tuple[ReviewItem, ...]) -> None:
+    def _take(self, finding: ReviewFinding) -> None:
         session = self._document.session
         if session is not None:
-            self._queue.take(found, session.labels, session.tracks)
+            self._queue.take(finding, session.labels, session.tracks)
             self.taken.emit()

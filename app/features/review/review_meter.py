@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Sequence
 from typing import Final
 
@@ -42,7 +43,7 @@ class MeterWords:
         if not (decided or corrected):
             return ""
         words = [
-            tr("{n:.1f} min watched", n=minutes),
+            _watched_text(minutes),
             count_text(decided, "{n} decided", "{n} decided"),
             count_text(corrected, "{n} corrected", "{n} corrected"),
         ]
@@ -56,6 +57,13 @@ class MeterWords:
         if state != self._state:
             self._state, self._corrected = state, _corrections(history)
         return self._corrected
+
+
+def _watched_text(minutes: float) -> str:
+    """Seconds as long as minutes with a decimal would say next to nothing."""
+    if minutes < 1.0:
+        return tr("{n} s watched", n=math.ceil(60.0 * minutes))
+    return tr("{n:.1f} min watched", n=minutes)
 
 
 def _corrections(history: History) -> int:

@@ -13,7 +13,7 @@ from app.core.jobs.jobs import Job, Progress
 from app.core.jobs.listed_job import ListedJob, cancelled_error
 from app.features.review.review_meter import measure_queue, measures_text
 from tracking.recording import Recording
-from tracking.review import ReviewItemFinder
+from tracking.review import ReviewFinding, ReviewItemFinder
 from tracking.tracks import Labels, Run, TrackTable
 from tracking.translation import message_of
 
@@ -30,7 +30,7 @@ def _looking() -> str:
 class ReviewSearch(QObject):
     """Finds review items in the background; asked for again meanwhile, it begins anew.
 
-    Signals: `found(items)`, a tuple; `changed()`, `doing` or `measures` is another;
+    Signals: `found(finding)`, a `ReviewFinding`; `changed()`, `doing` or `measures` is another;
     `failed(error)`.
 
     Attributes:
@@ -114,7 +114,7 @@ class ReviewSearch(QObject):
 
         def find(progress: Progress) -> object:
             view, size = recording.view, recording.size
-            return lookout.find(
+            return lookout.find_with_begun(
                 table, run, recording.fps, labels, view, progress, size=size, hand_made=hand_made
             )
 
@@ -132,12 +132,12 @@ class ReviewSearch(QObject):
         self._listed.begin()
         job.start()
 
-    def _take(self, found: Any, table: TrackTable) -> None:
+    def _take(self, finding: ReviewFinding, table: TrackTable) -> None:
         """Tell what was found; then, where that is asked, measure how good it is."""
-        self._found = found, table
-        self.found.emit(found)
+        self._found = finding.items, table
+        self.found.emit(finding)
         if self.measuring:
-            self._measure(found, table)
+            self._measure(finding.items, table)
 
     def _measure(self, found: Any, table: TrackTable) -> None:
         """Measure what was found against the truth beside the recording, if there is one."""

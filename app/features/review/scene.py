@@ -37,7 +37,7 @@ class ReviewScene:
         also: further reasons of the current one. doing: what goes on, "" at rest.
         title, text: said where there is nothing to list.
         learned: what came of the current one's kind here. all_learned: of each kind, a line each.
-        meter: how the review gets on.
+        meter: how the review gets on. counted: what the errors are that it tells of.
         waits: nothing was looked for, as no tracker made the tracks; it is if somebody asks.
     """
 
@@ -55,4 +55,5 @@ class ReviewScene:
     learned: str = ""
     all_learned: str = ""
     meter: str = ""
+    counted: str = ""
     waits: bool = False

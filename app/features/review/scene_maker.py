@@ -5,9 +5,10 @@ from __future__ import annotations
 from app.core.document.document import Document
 from app.core.editing.review_target import find_first_frame
 from app.core.i18n import joined_text, span_text, tr
+from app.core.scenes.review_words import COUNTED
 from app.features.review.no_items import empty_words, waiting_words
 from app.features.review.presenter import ReviewQueue
-from app.features.review.progress_words import ProgressWords
+from app.features.review.progress_words import progress_text
 from app.features.review.review_meter import MeterWords
 from app.features.review.review_search import ReviewSearch
 from app.features.review.scene import ReviewScene
@@ -25,7 +26,6 @@ class SceneMaker:
         self._document, self._queue = document, queue
         self._search, self._watching = search, watching
         self._meter: MeterWords | None = None
-        self._progress = ProgressWords()
 
     def begin(self, session: Session) -> None:
         """Another session: what was done is counted from here."""
@@ -64,6 +64,7 @@ class SceneMaker:
             title=title,
             text=text,
             meter=self._meter_text(waits),
+            counted=tr(COUNTED),
             waits=waits,
         )
 
@@ -78,7 +79,8 @@ class SceneMaker:
         if session is None or self._meter is None:
             return ""
         done = self._meter.text(session.labels, session.history, self._watching.minutes)
-        so_far = "" if waits else self._progress.text(self._queue.figures, session)
+        told = self._queue.is_searched and not waits
+        so_far = progress_text(self._queue.state) if told else ""
         return "\n".join(line for line in (so_far, done, self._search.measures) if line)
 
     def _empty_words(self, hidden: bool, waits: bool) -> tuple[str, str]:

@@ -53,7 +53,10 @@ def test_lines_are_as_many_as_asked_for(trackwright: Trackwright, session: Path)
     swapped(session)
     status, printed, _ = trackwright("review", session, "--order", "time", "--most", "1")
     assert status == 0
-    heading, *review_items = printed.splitlines()
+    heading, *review_items, blank, decided, left, counted = printed.splitlines()
+    assert (blank, decided.split()[0]) == ("", "Decided:")
+    assert left.startswith("About ")
+    assert "Missed people" in counted
     assert heading.split() == [
         "frame",
         "sure",
@@ -78,9 +81,13 @@ def test_reviewed_footage_is_listed_no_more(trackwright: Trackwright, session: P
     told = json.loads(trackwright("review", session, "--json")[1])
     assert told["open"] == 0
     assert told["found"] > 0
+    assert (told["decided"], told["boxes_reviewed"]) == (told["found"], 1.0)
+    assert told["errors_left"] == {"expected": 0.0, "low": 0, "high": 0}
     printed = trackwright("review", session)[1]
     said = f"Nothing is left to look at: all {told['found']} review items are decided or reviewed."
-    assert printed.splitlines() == [said]
+    lines = printed.splitlines()
+    assert lines[0] == said
+    assert lines[3] == "About 0 identity errors left (likely 0 to 0)."
 
 
 def test_what_is_no_session_is_told(trackwright: Trackwright, tmp_path: Path) -> None:

@@ -20,7 +20,7 @@ from tracking.editing import plan_label_part
 from tracking.session import Session
 from tracking.tracks import PartLabel
 
-REVIEWED, STATE = 3, 6
+FRAMES_DONE, STATE, WHO = 2, 8, 9
 
 
 @pytest.fixture(scope="module")
@@ -74,8 +74,9 @@ def test_a_project_lists_its_recordings_and_what_is_known_of_them(window, qtbot,
     assert window.windowTitle() == "walks \u2013 trackwright"
     assert _names(window) == ["a", "b", "c", "damaged"]
     assert _cell(window, "a", 1) == "0:00:02"
-    assert _cell(window, "a", 2) == "1"
-    assert _cell(window, "a", 5) != ""
+    assert _cell(window, "a", FRAMES_DONE) == str(FRAMES)
+    assert _cell(window, "a", 3) == "1"
+    assert _cell(window, "a", 7) != ""
     assert _cell(window, "b", STATE) == "Not tracked"
     assert _cell(window, "damaged", STATE) == "Cannot be read"
     row = window.project_page.row_named("damaged")
@@ -123,7 +124,7 @@ def test_a_session_that_another_program_saves_is_shown_anew(window, qtbot, folde
     _open_project(window, qtbot, folder)
     mark_reviewed(folder / "a.h5", "Bo", 0, FRAMES)
     window.files.projects.project.look()
-    qtbot.waitUntil(lambda: _cell(window, "a", 7) == "Bo")
+    qtbot.waitUntil(lambda: _cell(window, "a", WHO) == "Bo")
     shutil.rmtree(folder / "c")
     window.files.projects.project.look()
     qtbot.waitUntil(lambda: _names(window) == ["a", "b", "damaged"])

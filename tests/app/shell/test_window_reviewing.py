@@ -302,18 +302,22 @@ def test_the_panel_tells_how_far_the_review_is_and_what_risk_is_left(
 ):
     meter, queue = window.workspace.review._meter, controller.reviewing.queue
     begun = meter.text()
-    assert begun.startswith(f"Reviewed: 0% of the footage, 0 of {len(queue.open)} items.")
-    assert re.search(r"About \d+ errors? left \(likely \d+ to \d+\)", begun)
+    count = len(queue.open)
+    assert begun.startswith(f"Decided: 0 of {count} items (0%). Reviewed: 0% of the boxes.")
+    assert re.search(r"About \d+ identity errors? left \(likely \d+ to \d+\)", begun)
+    assert "Missed people" in meter.toolTip()
     press(Key.Key_N)
     press(Key.Key_Z)
     assert meter.text() != begun
-    assert "0% of the footage" not in meter.text()
+    assert " 0% of the boxes" not in meter.text()
+    assert f"Decided: {queue.state.decided} of {count} items" in meter.text()
     frames, labels = controller.playback.clock.frame_count, controller.document.session.labels
     table = controller.document.session.tracks
     controller.document.apply(plan_mark_reviewed(labels, 0, 0, frames, table))
     controller.draw()
-    assert "Reviewed: 100% of the footage" in meter.text()
-    assert "About 0 errors left (likely 0 to 0)." in meter.text()
+    assert f"Decided: {count} of {count} items (100%)." in meter.text()
+    assert "Reviewed: 100% of the boxes" in meter.text()
+    assert "About 0 identity errors left (likely 0 to 0)." in meter.text()
 
 
 def test_how_good_the_queue_is_is_told_where_that_is_asked_and_as_long(controller, window, qtbot):

@@ -12,7 +12,7 @@ from app.features.review.presenter import (
 )
 from app.features.review.scene import Order
 from tracking.editing import apply_change, plan_mark_reviewed, plan_swap
-from tracking.review import ReviewItem
+from tracking.review import ReviewFinding, ReviewItem
 from tracking.review.reason_phrases import KINDS, sentence
 from tracking.tracks import Labels
 from tracking.translation import tr
@@ -33,7 +33,7 @@ MARGIN = _review_item("margin", (7,), 80, 10.0, "look")
 @pytest.fixture
 def queue():
     queue = ReviewQueue(FPS, TrackColours().of)
-    queue.take((CROSSING, JUMP, MARGIN), Labels())
+    queue.take(ReviewFinding((CROSSING, JUMP, MARGIN)), Labels())
     return queue
 
 
@@ -85,7 +85,7 @@ def test_after_a_decision_the_next_one_is_what_took_its_place(queue):
 
 def test_the_one_looked_at_stays_so_when_all_are_found_anew(queue):
     queue.walk(1)
-    queue.take((MARGIN, _review_item("jump", (7,), 33, 99.0), CROSSING), Labels())
+    queue.take(ReviewFinding((MARGIN, _review_item("jump", (7,), 33, 99.0), CROSSING)), Labels())
     assert queue.current == CROSSING
     assert queue.place == 1
 
@@ -150,7 +150,7 @@ def test_reasons_and_verdicts_are_shown_in_the_users_language_and_kept_in_englis
     item = ReviewItem("crossing", (4, 7), 50, 45, 55, 0.5, 30.0, said, "swap", (said,))
     shown = "⟦4 and 7 passed within ⟦0.3 m⟧ at 00:41.00⟧"
     queue = ReviewQueue(FPS, TrackColours().of)
-    queue.take((item,), Labels())
+    queue.take(ReviewFinding((item,)), Labels())
     assert (queue.items[0].why, queue.items[0].others) == (shown, (shown,))
     assert queue.marks()[0].text == f"⟦Paths cross⟧: {shown}"
     text = plan_review_verdict(item, "dismissed", Labels()).text
