@@ -57,6 +57,7 @@ class AnnotationController(Controller):
         self.meter = WorkMeter(time.monotonic)
         document.tell(self.meter)
         self.suggested: tuple[SuggestedBox, ...] = ()
+        self._state: FrameState | None = None
 
     @property
     def busy(self) -> bool:
@@ -172,9 +173,13 @@ class AnnotationController(Controller):
 
         One under the mouse is of whom it says, else of whom the next box that is drawn would be.
         """
-        pointed = self._pointed()
+        suggested = self._suggested_now()
+        if suggested is None:
+            return
+        place = self._pointed_place()
+        pointed = suggestion_at(suggested, *place) if place is not None else None
         if pointed is None:
-            mine = (one for one in self.suggested if self._track and one.track == self._track)
+            mine = (one for one in suggested if self._track and one.track == self._track)
             pointed = next(mine, None)
         if pointed is None:
             self.said.emit(tr("No suggested box is near: point at one with the mouse"))
@@ -188,15 +193,35 @@ class AnnotationController(Controller):
 
     def accept_all(self) -> None:
         """Take every suggested box that says whose it may be."""
-        boxes = {one.track: one.box for one in self.suggested if one.track}
+        suggested = self._suggested_now()
+        if suggested is None:
+            return
+        boxes = {one.track: one.box for one in suggested if one.track}
         if boxes:
             self._editing.put_boxes(boxes)
-        else:
+        elif suggested:
             self.said.emit(tr("No suggested box is near to anybody who was here before"))
+        else:
+            self.said.emit(tr("There is no suggested box in this frame"))
 
-    def _pointed(self) -> SuggestedBox | None:
-        place = self._pointed_place()
-        return suggestion_at(self.suggested, *place) if place is not None else None
+    def _suggested_now(self) -> tuple[SuggestedBox, ...] | None:
+        """What can be accepted in the frame that is shown, drawn as suggested or not.
+
+        None: that is still being read, which is said.
+        """
+        if not self.suggested and self._state is not None:
+            self.suggested = self._suggest(self._state)
+            if self._search.busy:
+                self.said.emit(tr("Suggested boxes are still being read: press the key again"))
+                return None
+        return self.suggested
+
+    def _suggest(self, state: FrameState) -> tuple[SuggestedBox, ...]:
+        ghosts = {one.track: one for one in self._ghosts(state.frame)}
+        if (mine := self._ghost(state.frame)) is not None:
+            ghosts[mine.track] = mine
+        found = self._search.boxes(state.frame, state.tracks)
+        return suggest_boxes(found.boxes, tuple(ghosts.values()), found.alone)
 
     def _pointed_place(self) -> tuple[float, float] | None:
         """Where the mouse is in the picture, in its pixels."""
@@ -210,28 +235,24 @@ class AnnotationController(Controller):
         """Show a frame's ghosts and suggestions."""
         correcting = self._document.correcting
         shown = correcting.can_place and correcting.flow is None
-        searched = shown and (options.suggestions or correcting.mode.drawing)
+        drawing = correcting.mode.drawing
+        self._state = state if shown else None
         mine = self._ghost(state.frame) if shown else None
-        ghosts = {one.track: one for one in self._ghosts(state.frame)} if searched else {}
-        if mine is not None:
-            ghosts[mine.track] = mine
-        self.suggested = ()
-        if searched:
-            boxes = self._search.boxes(state.frame, state.tracks)
-            self.suggested = suggest_boxes(boxes, tuple(ghosts.values()))
+        ghosts = self._ghosts(state.frame, drawn_only=True) if shown and drawing else ()
+        searched = shown and (options.suggestions or drawing)
+        self.suggested = self._suggest(state) if searched else ()
         found = {one.track for one in self.suggested}
-        drawn = [
-            one
-            for one in ghosts.values()
-            if one is mine or (correcting.mode.drawing and one.track not in found)
-        ]
+        others = (one for one in ghosts if mine is None or one.track != mine.track)
+        drawn = [one for one in others if one.track not in found]
+        drawn += [] if mine is None else [mine]
         suggestions = (self._mark(one, state) for one in self.suggested)
         self._picture.show_suggested(
             (*suggestions, *(_ghost_mark(one, state, last=one is mine) for one in drawn))
         )
 
-    def _ghosts(self, frame: int) -> tuple[Ghost, ...]:
-        return self._document.correcting.ghosts_of_drawn(self._table(), frame)
+    def _ghosts(self, frame: int, *, drawn_only: bool = False) -> tuple[Ghost, ...]:
+        correcting = self._document.correcting
+        return correcting.ghosts_before(self._table(), frame, drawn_only=drawn_only)
 
     def _ghost(self, frame: int) -> Ghost | None:
         ghost = find_ghost(self._table(), self._track, frame, self._document.recording.fps)

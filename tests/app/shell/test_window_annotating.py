@@ -403,6 +403,29 @@ def test_suggestions_are_shown_without_drawing_where_they_are_switched_on(detect
     assert len(_suggested(detected)) == 2
 
 
+def test_suggestions_are_accepted_by_keys_where_they_are_not_shown(detected):
+    detected.press(Key.Key_Escape)
+    assert _suggested(detected) == []
+    _point(detected, 20, 40)
+    detected.press(Key.Key_Return, SHIFT)
+    assert _box(detected, 1, 2) == pytest.approx([12, 10, 20, 60])
+
+
+def test_those_whose_track_of_a_tracker_ends_just_before_are_continued(detected):
+    for at in ((20, 40), (45, 130)):
+        _point(detected, *at)
+        detected.press(Key.Key_Return, SHIFT)
+    detected.press(Key.Key_Escape)
+    table = detected.controller.document.session.tracks
+    for track in (1, 2):
+        rows = table.of_track(track)
+        tracked = {**rows, "source": np.full_like(rows["source"], Source.TRACKER)}
+        table.rewrite(rows, np.zeros((0, 4), np.int64), tracked)
+    detected.go(3)
+    detected.press(Key.Key_Return, CTRL | SHIFT)
+    assert detected.people(3) == [1, 2]
+
+
 def test_a_file_of_detections_that_cannot_be_read_is_told_of(window, qtbot, folder):
     (folder / "det.txt").write_text("no, numbers, here\n")
     hands = Hands(window, open_for_correcting(window, qtbot, folder, 2), qtbot)
