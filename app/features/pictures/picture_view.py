@@ -246,7 +246,12 @@ class PictureView(PictureSurface):
         return f"{name}\n{said}" if said else name
 
     def _person_at(self, at: QPointF) -> PersonMark | None:
-        """The person whose box is hit; of several, the one whose middle is nearest."""
+        """The person whose name or box is hit; of several, the one whose middle is nearest."""
+        plates = self._painter.naming.plates
+        named = next((track for track, plate in plates if plate.contains(at)), 0)
+        for person in self._scene.people:
+            if named == person.track:  # names lie on top of people
+                return person
         reach = _PICK_REACH_PX
         hits = []
         for person in self._scene.people:
