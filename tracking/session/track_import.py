@@ -204,7 +204,9 @@ def _beyond_the_run(found: Importable, origin: ImportOrigin) -> Message:
     if not found.labels:
         return msg("Make keyframes of {who}", who=who)
     source = " ".join(origin.file.source.split())
-    return msg("Take keyframes, names and attributes of {who} from {source}", who=who, source=source)
+    return msg(
+        "Take keyframes, names and attributes of {who} from {source}", who=who, source=source
+    )
 
 
 def take_into(session: Session, found: Importable, origin: ImportOrigin) -> Entry | None:

@@ -90,13 +90,25 @@ class AnnotationController(Controller):
         mode = self._document.correcting.mode
         mode.at_once = not mode.at_once
         mode.two_at_once = mode.two_at_once and mode.at_once
-        self.changed.emit()
+        self._tell_at_once()
 
     def toggle_two_at_once(self) -> None:
         """Those of two people, too."""
         mode = self._document.correcting.mode
         mode.two_at_once = not mode.two_at_once
         mode.at_once = mode.at_once or mode.two_at_once
+        self._tell_at_once()
+
+    @property
+    def at_once_text(self) -> str:
+        """That edits are done without a preview; "" where they are not."""
+        mode = self._document.correcting.mode
+        if mode.two_at_once:
+            return tr("Edits without preview, of two people, too")
+        return tr("Edits without preview") if mode.at_once else ""
+
+    def _tell_at_once(self) -> None:
+        self.said.emit(self.at_once_text or tr("Edits are shown before they are done"))
         self.changed.emit()
 
     # boxes by keys
@@ -154,7 +166,7 @@ class AnnotationController(Controller):
             self._editing.put_box(ghost.box)
 
     def dismiss_ghost(self) -> None:
-        """Wait no more for who is expected under the mouse, else for who is selected."""
+        """Show no more the last box of who is expected under the mouse, else of who is selected."""
         frame, place = self._playback.clock.frame, self._pointed_place()
         ghosts = {ghost.track: ghost for ghost in self._ghosts(frame)}
         mine = self._ghost(frame)
@@ -162,10 +174,15 @@ class AnnotationController(Controller):
         pointed = suggestion_at(expected, *place) if place is not None else None
         ghost = ghosts[pointed.track] if pointed is not None else mine
         if ghost is None:
-            self.said.emit(tr("Nobody is waited for here"))
+            self.said.emit(tr("No last box is shown here"))
             return
         self._document.correcting.mode.dismissed[ghost.track] = ghost.frame
-        self.said.emit(tr("{track} is waited for no more", track=ghost.track))
+        self.said.emit(
+            tr(
+                "The last box of {track} is shown no more, until they are drawn again",
+                track=ghost.track,
+            )
+        )
         self.changed.emit()
 
     def accept_suggestion(self) -> None:

@@ -69,6 +69,8 @@ class PictureView(PictureSurface):
         """Draw another frame."""
         before, previous = self._image.size(), self._scene
         self._scene = scene
+        if scene.drawing and not previous.drawing:
+            self._hover = self.pointed_at  # not where the mouse was when a box was drawn last
         if scene.image is not previous.image:
             self._image = image_from_bgr(scene.image)
         if scene.overlay is not previous.overlay:
@@ -226,6 +228,9 @@ class PictureView(PictureSurface):
         """Nobody is under the cursor any more."""
         super().leaveEvent(event)
         self._point_at(0)
+        if self._hover is not None:
+            self._hover = None
+            self.update()
 
     def _point_at(self, track: int) -> None:
         """Whoever is under the cursor is named, also where that hides somebody."""
@@ -290,5 +295,5 @@ class PictureView(PictureSurface):
         if movable is not None and not self._labels.labelling:
             rect = self.viewport.rect(QRectF(*movable.box))
             draw_handles(painter, rect, QColor(*movable.colour))
-        if self._scene.drawing and self._hover is not None:
+        if self._scene.drawing and self._hover is not None and self._place.contains(self._hover):
             draw_cross(painter, self._hover, shown)
