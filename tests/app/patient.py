@@ -15,7 +15,7 @@ from PySide6.QtWidgets import QWidget
 from pytestqt.qtbot import QtBot
 
 PATIENCE_S = 120.0
-PATIENCE_MS = 8_000
+PATIENCE_MS = 120_000
 
 
 class PatientBot(QtBot):
