@@ -113,6 +113,13 @@ class Files(Controller):
         last = self._remembered.last_folder("open")
         choose_file(self._window, tr("Open folder"), "", self.open_path, last, folder=True)
 
+    def open_recent(self, path: Path) -> None:
+        """Open what was opened before, as what it was: a project's folder as a project."""
+        if self._remembered.is_recent_project(path) and path.is_dir():
+            self.projects.open(path)
+        else:
+            self.open_path(path)
+
     def open_dropped(self, urls: Sequence[QUrl]) -> None:
         """Open what was dropped: tracks go into the recording shown, several videos are set up."""
         self.drops.take(urls)
@@ -375,4 +382,5 @@ class Files(Controller):
     def welcome_scene(self) -> WelcomeScene:
         """The first page: what was opened before, and what a crash left behind."""
         remembered = self._remembered
-        return first_page({path: remembered.recent_name(path) for path in remembered.recent})
+        names = {path: remembered.recent_name(path) for path in remembered.recent}
+        return first_page(names, [path for path in names if remembered.is_recent_project(path)])

@@ -134,7 +134,7 @@ class MainWindow(QMainWindow):
         self.welcome.setup_asked.connect(self.files.setup.ask)
         self.workspace.setup_asked.connect(self.files.setup.metres)
         self.welcome.demo_asked.connect(self.files.open_demo)
-        self.welcome.path_chosen.connect(self.files.open_path)
+        self.welcome.path_chosen.connect(self.files.open_recent)
         self.welcome.dropped.connect(self.files.open_dropped)
         self.workspace.camera_switch.mode_chosen.connect(
             lambda mode: self.run_command(f"view.{mode}")

@@ -165,8 +165,9 @@ class RecordingController(Controller):
 
     @property
     def work_text(self) -> str:
-        """What the digit keys set, and how fast the work goes; "" for neither."""
-        said = self.describing.armed_text, self.annotating.meter.text()
+        """What the digit keys set, how edits are done, how fast the work goes; "" for none."""
+        at_once = self.annotating.at_once_text
+        said = self.describing.armed_text, at_once, self.annotating.meter.text()
         return "  \u00b7  ".join(filter(None, said))
 
     def end(self) -> None:

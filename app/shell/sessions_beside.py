@@ -22,6 +22,8 @@ from app.features.comparison.agreement import (
     read_other,
 )
 
+from tracking.errors import TrackwrightError
+
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
     from app.shell.recording_controller import RecordingController
@@ -43,6 +45,7 @@ class SessionsBeside(QObject):
         panel = window.workspace.compare
         panel.stretch_sought.connect(self._go)
         panel.again_asked.connect(self._again)
+        panel.theirs_asked.connect(self._take_theirs)
         panel.left.connect(self.close)
 
     @property
@@ -148,6 +151,23 @@ class SessionsBeside(QObject):
         work = partial(compare_again, shown.other, session, session.tracks.snapshot())
         title = tr("Comparing with {name}", name=shown.other.name)
         self._work.run(title, lambda report: work(report), partial(self._show, controller))
+
+    def _take_theirs(self, number: int) -> None:
+        """Take the other person's word in one disagreement, as one edit; then compare again."""
+        controller, shown = self._window.controller, self._shown
+        if controller is None or shown is None or controller.document.session is None:
+            return
+        document = controller.document
+        document.correcting.leave()
+        try:
+            change = shown.plan_theirs(number, controller.document.session.tracks)
+            document.apply(change)
+        except TrackwrightError as error:
+            controller.editing.failed.emit(error)
+            return
+        controller.editing.said.emit(tr("Done: {what}", what=change.text))
+        controller.draw()
+        self._again()
 
     def _go(self, frame: int, track: int) -> None:
         controller = self._window.controller

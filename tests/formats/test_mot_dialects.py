@@ -190,3 +190,12 @@ def test_a_bad_first_row_is_told_with_line_and_reason(tmp_path: Path) -> None:
         ("line 1", "'ten' is not a number")
     ]
     assert found.columns["frame"].tolist() == [1]
+
+
+def test_a_text_whose_ids_are_all_none_is_told_as_detections_and_how_to_use_them(
+    tmp_path: Path,
+) -> None:
+    text = "".join(f"{frame},-1,10,20,30,60,0.9,-1,-1,-1\n" for frame in range(1, 4000))
+    with pytest.raises(FormatError, match="detections of a detector") as told:
+        imported(tmp_path, text)
+    assert "--detections" in str(told.value)

@@ -43,6 +43,16 @@ def test_each_two_sessions_of_a_recording_are_compared(found: ProjectList) -> No
     )
 
 
+def test_two_sessions_of_one_person_are_told_by_name_and_file(tmp_path: Path) -> None:
+    folder = make_project(tmp_path / "walks")
+    (folder / "again").mkdir()
+    mark_reviewed(folder / "a.h5", "Ada")
+    shutil.copy(folder / "a.h5", folder / "again" / "a.h5")
+    rows = read_all(Project(folder, tmp_path / "cache", "Ada"))[0].rows
+    (pair,) = agreements(rows)
+    assert (pair.a, pair.b) == ("Ada (walks/a.h5)", "Ada (again/a.h5)")
+
+
 def test_a_session_that_cannot_be_read_any_more_is_told(found: ProjectList, tmp_path: Path) -> None:
     kept = tmp_path / "kept.h5"
     row = compared_rows(found.rows)[0]

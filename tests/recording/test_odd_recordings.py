@@ -123,7 +123,9 @@ def test_a_rate_that_differs_from_the_streams_counts_and_is_told(tmp_path: Path)
     (tmp_path / "recording.toml").write_text('fps = 7\nshade = 1\n[left]\nsource = "v.mp4"\n')
     with open_recording(tmp_path) as recording:
         assert recording.read(7).time_s == pytest.approx(1.0)
-        assert any("25 frames per second, the recording 7" in note for note in recording.notes)
+        assert any(
+            "25 frames per second, recording.toml says 7" in note for note in recording.notes
+        )
         assert any("shade means nothing" in note for note in recording.notes)
 
 

@@ -50,6 +50,7 @@ from tracking.editing.log.former_logs import up_to_date
 from tracking.editing.log.history import Entry, History, StoredChange, plan_undo_alone
 from tracking.editing.log.text import rows_beyond_the_log, state_as_text, state_from_text
 from tracking.editing.log.touch_index import TOUCHED_COLUMNS, TouchIndex
+from tracking.editing.taken_ranges import plan_take_range
 from tracking.editing.track_import import ThinningResult, on_the_floor, plan_import, thin_dense
 from tracking.editing.tracking_again.differences import (
     Difference,

@@ -36,6 +36,7 @@ from tracking.progress import Progress, no_progress
 
 UNKNOWN = -1.0
 FIRST_FRAME = 1
+_NO_ID = -1
 _SHAPE = RowShape("MOT text", least=6, most=10, comment="#")
 _HEAD = ("frame", "track", *BOX, "confidence")
 _WORLD = ("x", "y", "z")
@@ -113,6 +114,7 @@ def import_mot(path: Path, _filmed: Filmed, report: Progress = no_progress) -> I
     """
     reading = Reading(path, report)
     rows, lines = _rows(reading)
+    _refuse_detections(path, rows["track"])
     rows["track"] = reading.ids_from_zero(rows["track"])
     sequence = sequence_of(path, reading)
     return reading.imported(
@@ -125,6 +127,17 @@ def import_mot(path: Path, _filmed: Filmed, report: Progress = no_progress) -> I
         seen_as=kept_visibility,
         first_frame=FIRST_FRAME,
     )
+
+
+def _refuse_detections(path: Path, track: NDArray[Any]) -> None:
+    """Raise FormatError where all ids are -1: detectors write so, and nobody is told apart."""
+    if len(track) and (track == _NO_ID).all():
+        raise FormatError(
+            "{path}: all ids are -1, so these are detections of a detector, not tracks",
+            "name the file where a tracker is chosen, under Detections (trackwright track "
+            "--detections); in the recording's folder as det.txt it gives the suggested boxes, too",
+            path=path,
+        )
 
 
 def _rows(reading: Reading) -> tuple[dict[str, NDArray[Any]], NDArray[np.int32]]:

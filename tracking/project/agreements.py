@@ -12,12 +12,9 @@ from tracking.errors import TrackwrightError
 from tracking.progress import Progress, no_progress
 from tracking.project.facts import NO_MESSAGE
 from tracking.project.pairing import ProjectRow, SessionRow
-from tracking.scoring import ScoringTable, agreement
+from tracking.scoring import DISAGREEMENT_GAP_S, ScoringTable, agreement
 from tracking.session import Session
 from tracking.translation import Message
-
-_GAP_S = 0.5
-"""Disagreements of the same two tracks that lie closer together are one, as in the window."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -25,7 +22,8 @@ class PairAgreement:
     """How far two sessions of a recording agree.
 
     Attributes:
-        recording: its name. a, b: who made the sessions; their files' names where nobody edited.
+        recording: its name. a, b: who made the sessions; with their files where one person made
+            both, the files alone where nobody edited.
         idf1, kappa: see `Agreement`; NaN where both are empty.
         rows: person-frames that were compared. disagreements: stretches.
         problem: why they cannot be compared; empty: they were.
@@ -105,7 +103,7 @@ def _compared(
 ) -> PairAgreement:
     (a, fps), (b, _) = tables
     try:
-        found = agreement(a, b, gap=round(_GAP_S * fps))
+        found = agreement(a, b, gap=round(DISAGREEMENT_GAP_S * fps))
     except TrackwrightError as error:
         return PairAgreement(recording, *names, problem=error.message)
     return PairAgreement(
@@ -126,16 +124,17 @@ def _readable(row: ProjectRow) -> list[SessionRow]:
 
 
 def _names(sessions: Sequence[SessionRow]) -> dict[SessionRow, str]:
-    """Who edited each session last; its file's name where nobody did, or two are of one person."""
+    """Who edited each session last, with its file where two are of one person; else its file."""
     last = {
         one: one.facts.authors[-1] if one.facts is not None and one.facts.authors else ""
         for one in sessions
     }
     names = list(last.values())
     return {
-        one: name if name and names.count(name) == 1 else _file_of(one)
+        one: name if names.count(name) == 1 else f"{name} ({_file_of(one)})"
         for one, name in last.items()
-    }
+        if name
+    } | {one: _file_of(one) for one, name in last.items() if not name}
 
 
 def _file_of(row: SessionRow) -> str:

@@ -263,8 +263,8 @@ def _manifest_notes(located: Located, cameras: ImagePairs, fps: float) -> tuple[
     if streamed is not None and abs(streamed - fps) > 0.01 * fps:
         notes.append(
             msg(
-                "{name}: the video says {streamed:g} frames per second, the recording "
-                "{fps:g}; the recording counts",
+                "{name}: the video is of {streamed:g} frames per second, recording.toml says "
+                "{fps:g}, which is used",
                 name=cameras.sources[0].name,
                 streamed=streamed,
                 fps=fps,

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, Final
 
 import numpy as np
 from scipy.optimize import linear_sum_assignment
@@ -19,6 +19,9 @@ from tracking.scoring.kappa import cohen_kappa
 from tracking.scoring.pairs import EPS
 from tracking.scoring.similarity import Match
 from tracking.scoring.table import ScoringTable
+
+DISAGREEMENT_GAP_S: Final = 0.5
+"""Disagreements of the same two tracks that lie closer together are one, wherever they are told."""
 
 
 @dataclass(frozen=True, slots=True)

@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing import Entry, ThinningResult, on_the_floor, plan_import, thin_dense
+from tracking.editing import Change, Entry, ThinningResult, on_the_floor, plan_import, thin_dense
+from tracking.editing.core.scope import tracks_text
 from tracking.editing.labels.track_labels import LONGEST_NOTES
 from tracking.errors import EditError
 from tracking.formats import BadRow, Filmed, Imported
@@ -191,20 +192,39 @@ def session_of_import(recording: Recording, found: Importable, origin: ImportOri
     )
     session = Session.create(recording, [run], labels=Labels(schema=found.schema))
     if found.labels or (found.rows["source"] != Source.TRACKER).any():
-        take_into(session, found, origin, vouched=True)
+        change = _plan_import(session, found, origin, vouched=True)
+        if change is not None:
+            session.apply(replace(change, text=_beyond_the_run(found, origin)))
     return session
 
 
-def take_into(
-    session: Session, found: Importable, origin: ImportOrigin, *, vouched: bool = False
-) -> Entry | None:
+def _beyond_the_run(found: Importable, origin: ImportOrigin) -> Message:
+    """What the edit after the run is called: the tracks themselves are there without it."""
+    who = tracks_text(np.unique(found.rows["track"]).tolist())
+    if not found.labels:
+        return msg("Make keyframes of {who}", who=who)
+    source = " ".join(origin.file.source.split())
+    return msg(
+        "Take keyframes, names and attributes of {who} from {source}", who=who, source=source
+    )
+
+
+def take_into(session: Session, found: Importable, origin: ImportOrigin) -> Entry | None:
     """Take imported tracks into a session as one edit; None where they say nothing else.
 
-    Tracks the file does not have stay as they are. vouched: see `plan_import`.
+    Tracks the file does not have stay as they are.
     """
+    change = _plan_import(session, found, origin)
+    return None if change is None else session.apply(change)
+
+
+def _plan_import(
+    session: Session, found: Importable, origin: ImportOrigin, *, vouched: bool = False
+) -> Change | None:
+    """The edit; None where the session says the same already. vouched: see `plan_import`."""
     source, view = origin.file.source, found.view
     try:
-        change = plan_import(
+        return plan_import(
             session.tracks,
             session.labels,
             found.rows,
@@ -217,7 +237,6 @@ def take_into(
         )
     except EditError:  # it says what is there already
         return None
-    return session.apply(change)
 
 
 def _within(found: Importable, imported: Imported, frames: int | None) -> Importable:

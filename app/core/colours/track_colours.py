@@ -35,6 +35,8 @@ _TOO_ALIKE = 0.1
 """From here on an id does not take its usual colour."""
 _SAME_HUE = 0.2
 """From here on it leaves its usual colour to somebody of that hue, where another hue is free."""
+_FEW = 4
+"""Times as many people as colours: from there on all are had, which is not looked for again."""
 _SOON_FRAMES = 100
 """So long after somebody was seen last nobody else comes up in their colour."""
 
@@ -45,6 +47,7 @@ class TrackColours:
     An id has the colour of the palette that goes with its number, unless somebody who is there at
     the same time has one that looks like it, or goes by the same name while another hue is free;
     then it has the one least like those of the people around it, above all of those who come near.
+    As long as there are colours that nobody has, nobody shares one.
     """
 
     def __init__(self) -> None:
@@ -207,7 +210,17 @@ class TrackColours:
         self._choose(track, taken)
 
     def _choose(self, track: int, taken: NDArray[np.float64]) -> None:
-        self._place[track] = _choice(track, taken)
+        place, had = _choice(track, taken), self._had_by_others(track)
+        self._place[track] = _unshared(place, taken, had) if had[place] else place
+
+    def _had_by_others(self, track: int) -> NDArray[np.bool_]:
+        """(colours,) which of them anybody else has, at whatever time."""
+        had = np.zeros(len(TRACK_COLOURS), bool)
+        if len(self._place) < len(had) * _FEW:
+            had[[place for one, place in self._place.items() if one != track]] = True
+        else:
+            had[:] = True
+        return had
 
 
 def _choice(track: int, taken: NDArray[np.float64]) -> int:
@@ -217,6 +230,16 @@ def _choice(track: int, taken: NDArray[np.float64]) -> int:
         return other
     named, instead = ((_ONE_HUE[place] * taken).max() for place in (usual, other))
     return other if named > _SAME_HUE > instead else usual
+
+
+def _unshared(place: int, taken: NDArray[np.float64], had: NDArray[np.bool_]) -> int:
+    """A colour that nobody has, where one goes as well with those who are near."""
+    free = np.flatnonzero(~had)
+    if not len(free):
+        return place
+    other = int(free[(_LIKE[free] @ taken).argmin()])
+    much, before = ((_ALIKE[one] * taken).max() for one in (other, place))
+    return other if much <= max(before, _TOO_ALIKE) else place
 
 
 def _better(place: int, taken: NDArray[np.float64]) -> int:

@@ -378,11 +378,14 @@ class Document:
     def _shown(self, change: Change, made: Change) -> Change:
         """The change, once what was made of it is shown; where nobody of it is selected, they are.
 
+        Of an import nobody is.
+
         made: the change itself where it was done, its inverse where it was taken back.
         """
         self._take_changed(made)
         known = set(self.tracks.ids)
         there = [track for track in change.tracks if track in known]
-        if there and not set(there) & set(self.selection.all):
+        imported = change.kind == "import"  # of whole files: about nobody in particular
+        if there and not imported and not set(there) & set(self.selection.all):
             self.selection.choose_all(there)
         return change

@@ -15,6 +15,8 @@ def is_seen_at(change: Change, frame: int, tracks: TrackReader) -> bool:
     if frame == change.frame:
         return True
     sides = (change.before, change.after)
+    if change.kind == "import" and any(frame in side.rows["frame"] for side in sides):
+        return True  # of many people in many frames, of which this is one
     if any(len(side.stretches) or len(side.rows["frame"]) for side in sides):
         return False
     if change.scope is not None:

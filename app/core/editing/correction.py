@@ -21,7 +21,7 @@ from app.core.editing.annotation_mode import AnnotationMode, NextBox
 from app.core.editing.gap_places import gap_near, next_filled
 from app.core.editing.nearness import followers_first, nearest_first
 from app.core.editing.review_target import is_near
-from app.core.editing.suggested_boxes import Ghost, ghosts_of_drawn, suggest_boxes
+from app.core.editing.suggested_boxes import Ghost, ghosts_before, suggest_boxes
 from app.core.editing.swap_candidates import find_swap_candidates
 from app.core.i18n import tr
 from app.core.tracks.edit_context import EditContext
@@ -167,7 +167,7 @@ class CorrectionPresenter:
         on, selected = self._edit_context(), self._selection.track
         if on is None or self.mode.next_box is not NextBox.AUTO:
             return ()
-        ghosts = self.ghosts_of_drawn(on.table, frame)
+        ghosts = self.ghosts_before(on.table, frame, drawn_only=True)
         return ghosts if any(ghost.track != selected for ghost in ghosts) else ()
 
     def next_is_new(self, frame: int) -> bool:
@@ -183,9 +183,14 @@ class CorrectionPresenter:
             flow = EditFlow.begin(edits.PUT, min(boxes), frame, self._geometry.fps)
             self.change(replace(flow, boxes=tuple(sorted(boxes.items()))))
 
-    def ghosts_of_drawn(self, table: TrackTable, frame: int) -> tuple[Ghost, ...]:
-        """Those of everybody who is drawn by hand, may be in the picture and is waited for."""
-        found = ghosts_of_drawn(table, frame, self._geometry.fps)
+    def ghosts_before(
+        self, table: TrackTable, frame: int, *, drawn_only: bool = False
+    ) -> tuple[Ghost, ...]:
+        """Those of everybody who was there just before, may be in the picture and is waited for.
+
+        drawn_only: of those who are drawn by hand.
+        """
+        found = ghosts_before(table, frame, self._geometry.fps, drawn_only=drawn_only)
         size = self._geometry.size
         return tuple(
             ghost for ghost in found if self.mode.is_waited_for(ghost) and ghost.is_inside(size)

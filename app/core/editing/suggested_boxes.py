@@ -27,6 +27,8 @@ _GATE = 3.0
 _DRAWN, _WALK, _STRAY = 0.1, 0.4, 0.15
 """Standard deviations across, in heights of the person: of a box; of a second's walk (1.3 m/s, or
 0.76 heights, is usual) by who was seen once; of one that goes on as before."""
+_THERE: Final = -1
+"""In place of a track: somebody who has a box in the frame."""
 _FEET, _TALLER = 0.5, 0.15
 """Of the feet, as a share of that across; of the logarithm of the height."""
 
@@ -50,6 +52,18 @@ class Ghost:
     def is_inside(self, size: tuple[int, int]) -> bool:
         """Whether some of the box that is expected lies in a picture of this size."""
         return bool(share_inside(np.array([self.expected]), size)[0] > _LEAST_INSIDE)
+
+
+@dataclass(frozen=True, slots=True)
+class FoundBoxes:
+    """What was found in a frame.
+
+    Attributes:
+        boxes: that no track has. alone: boxes of tracks that none of those found overlaps much.
+    """
+
+    boxes: tuple[Box, ...]
+    alone: tuple[Box, ...] = ()
 
 
 @dataclass(frozen=True, slots=True)
@@ -95,40 +109,59 @@ def _some(rows: Columns, chosen: Mask) -> Columns:
     return {name: column[chosen] for name, column in rows.items()}
 
 
-def ghosts_of_drawn(table: TrackTable, frame: int, fps: float) -> tuple[Ghost, ...]:
-    """The ghosts of all tracks that were drawn by hand shortly before a frame."""
+def ghosts_before(
+    table: TrackTable, frame: int, fps: float, *, drawn_only: bool = False
+) -> tuple[Ghost, ...]:
+    """The ghosts of all who were there shortly before a frame.
+
+    drawn_only: of those who were drawn by hand.
+    """
     reach, found = round(REACH_S * fps), []
     for track in table.track_ids:
         start, end = table.frame_range(track)
         if start >= frame or end <= frame - reach:
             continue
         rows = table.of_track(track, max(0, frame - reach), frame)
-        if np.any(rows["source"] != Source.TRACKER):
+        if not drawn_only or np.any(rows["source"] != Source.TRACKER):
             found.append(find_ghost(table, track, frame, fps))
     return tuple(ghost for ghost in found if ghost is not None)
 
 
-def unclaimed(sources: Iterable[Floats], there: Floats) -> tuple[Box, ...]:
-    """The boxes that no track has, each person once.
+def unclaimed(sources: Iterable[Floats], there: Floats) -> FoundBoxes:
+    """The boxes that no track has, each person once, and the tracks' boxes that none overlaps.
 
     Args:
         sources: (n, 4) each, the one that is trusted most first.
         there: (m, 4) boxes of the tracks in the frame.
     """
-    kept = there[np.isfinite(there).all(axis=1)]
+    there = there[np.isfinite(there).all(axis=1)]
+    kept, alone = there, np.ones(len(there), bool)
     found: list[Box] = []
     for boxes in sources:
         for box in boxes[np.isfinite(boxes).all(axis=1)]:
-            if not len(kept) or overlaps(box[None], kept).max() <= _SAME:
+            same = overlaps(box[None], kept) > _SAME if len(kept) else np.zeros(0, bool)
+            alone &= ~same[: len(there)]
+            if not same.any():
                 kept = np.vstack((kept, box))
                 found.append(_box(box))
-    return tuple(found)
+    return FoundBoxes(tuple(found), tuple(_box(box) for box in there[alone]))
 
 
-def suggest_boxes(boxes: Sequence[Box], ghosts: Sequence[Ghost]) -> tuple[SuggestedBox, ...]:
-    """Each box with the track it may be of: those that together lie nearest to the expected."""
-    owners = _assigned(np.array(boxes, np.float64).reshape(-1, 4), ghosts)
-    return tuple(SuggestedBox(box, owners.get(at, 0)) for at, box in enumerate(boxes))
+def suggest_boxes(
+    boxes: Sequence[Box], ghosts: Sequence[Ghost], alone: Sequence[Box] = ()
+) -> tuple[SuggestedBox, ...]:
+    """Each box with the track it may be of: those that together lie nearest to the expected.
+
+    alone: of people in the frame none of whose own boxes was found: a box that fits one of them
+        better than whoever is missing is theirs, and is left out.
+    """
+    people = (*ghosts, *(Ghost(_THERE, 0, box, box, _DRAWN) for box in alone))
+    owners = _assigned(np.array(boxes, np.float64).reshape(-1, 4), people)
+    return tuple(
+        SuggestedBox(box, owners.get(at, 0))
+        for at, box in enumerate(boxes)
+        if owners.get(at) != _THERE
+    )
 
 
 def _assigned(boxes: Floats, ghosts: Sequence[Ghost]) -> Mapping[int, int]:
@@ -138,7 +171,10 @@ def _assigned(boxes: Floats, ghosts: Sequence[Ghost]) -> Mapping[int, int]:
     expected = np.array([ghost.expected for ghost in ghosts], np.float64)
     away = _away(expected, np.array([ghost.spread for ghost in ghosts]), boxes)
     near = away <= _GATE**2
-    rows, columns = linear_sum_assignment(np.where(near, away, _GATE**2 * (1 + len(ghosts))))
+    # What is less certain spreads wider: a likelihood, across and at the feet, not a mere distance.
+    cost = away + 4 * np.log([ghost.spread / _DRAWN for ghost in ghosts])[:, None]
+    far = (1 + len(ghosts)) * max(1.0, float(cost[near].max(initial=0.0)))
+    rows, columns = linear_sum_assignment(np.where(near, cost, far))
     pairs = zip(rows.tolist(), columns.tolist(), strict=True)
     return {box: ghosts[ghost].track for ghost, box in pairs if near[ghost, box]}
 

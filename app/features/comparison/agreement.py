@@ -12,16 +12,21 @@ from app.core.document.recording_match import refuse_other_recording
 from app.core.i18n import span_text, tr
 from app.core.projection.other_people import OtherPeople
 from app.features.comparison.scene import AgreementScene, DisagreementRow
+from tracking.editing import Change, plan_take_range
 from tracking.errors import SessionError
 from tracking.progress import Progress
 from tracking.recording import Recording
-from tracking.scoring import Agreement, Disagreement, ScoringTable, agreement
+from tracking.scoring import (
+    DISAGREEMENT_GAP_S,
+    Agreement,
+    Disagreement,
+    ScoringTable,
+    agreement,
+)
 from tracking.session import Session
-from tracking.tracks import TrackTable
+from tracking.tracks import TrackTable, next_track
 
 _STEPS = 4
-_GAP_S = 0.5
-"""Disagreements of the same two tracks that lie closer together are one stretch."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +83,7 @@ def _compared(own: Session, a: TrackTable, b: TrackTable, report: Progress) -> A
     report(2, _STEPS)
     table_b = ScoringTable.from_columns(b.columns())
     report(3, _STEPS)
-    found = agreement(table_a, table_b, gap=round(_GAP_S * own.recording.fps))
+    found = agreement(table_a, table_b, gap=round(DISAGREEMENT_GAP_S * own.recording.fps))
     report(4, _STEPS)
     return found
 
@@ -112,6 +117,24 @@ class AgreementPresenter:
             self._rows,
             revision != self.other.revision,
         )
+
+    def plan_theirs(self, number: int, table: TrackTable) -> Change:
+        """The edit that takes the other person's word in one of the disagreements.
+
+        In its range whoever they see there stands as they have them, under the open session's id
+        or a new one, and whoever was seen there in the open session does not.
+
+        Raises EditError where nothing would change.
+        """
+        one = self.other.agreement.disagreements[number]
+        own = self._own_of.get(one.track_b, next_track(table)) if one.track_b else 0
+        asked = {one.track_a: 0, own: one.track_b}
+        taken = {
+            track: self.other.tracks.of_track(b, one.start, one.end)
+            for track, b in asked.items()
+            if track
+        }
+        return plan_take_range(table, taken, one.start, one.end, self.other.name)
 
     def _colour(self, track: int) -> tuple[int, int, int]:
         return self._colour_of(self._own_of.get(track, track))

@@ -19,7 +19,9 @@ from app.core.look.theme import scaled_font
 from app.core.widgets.parts import NOTICE_MARGINS, quiet
 from app.features.comparison.scene import AgreementScene, DisagreementRow
 
-_MOST_ROWS = 4
+_LEAST_ROWS = 4
+_WHOLE = 100
+"""Of the room that is left, the list has all until it shows every row."""
 _NO_PARENT = QModelIndex()
 
 
@@ -59,10 +61,12 @@ class ComparePanel(QFrame):
 
     Signals:
         stretch_sought(int, int): a row was clicked: frame, and track of the open session (or 0).
+        theirs_asked(int): the disagreement of a row is to be as the other session has it.
         again_asked(): compare again. left(): close the comparison.
     """
 
     stretch_sought = Signal(int, int)
+    theirs_asked = Signal(int)
     again_asked = Signal()
     left = Signal()
 
@@ -91,9 +95,10 @@ class ComparePanel(QFrame):
         self._hint.setWordWrap(True)
         for label in (self._title, self._figures, self._hint):
             rows.addWidget(label)
+        self._outdated = False
         self._model = _Rows(self)
         self._list = self._build_list()
-        rows.addWidget(self._list)
+        rows.addWidget(self._list, _WHOLE)
         rows.addLayout(self._build_ends())
         rows.addStretch(1)
         self.hide()
@@ -103,6 +108,7 @@ class ComparePanel(QFrame):
         view.setModel(self._model)
         view.setAccessibleName(tr("Where the sessions disagree"))
         view.setUniformItemSizes(True)
+        view.setSizePolicy(QSizePolicy.Policy.Expanding, QSizePolicy.Policy.Ignored)
         view.setHorizontalScrollBarPolicy(Qt.ScrollBarPolicy.ScrollBarAlwaysOff)
         view.selectionModel().currentChanged.connect(self._seek)
         view.clicked.connect(self._seek)
@@ -114,7 +120,13 @@ class ComparePanel(QFrame):
         self._again.clicked.connect(self.again_asked)
         done = QPushButton(tr("Close"), self)
         done.clicked.connect(self.left)
+        self._theirs = QPushButton(tr("Take theirs"), self)
+        self._theirs.setToolTip(
+            tr("Put what the other session has in this range in place of yours; undo restores it")
+        )
+        self._theirs.clicked.connect(self._ask_theirs)
         line.addStretch(1)
+        line.addWidget(self._theirs)
         line.addWidget(self._again)
         line.addWidget(done)
         return line
@@ -125,6 +137,7 @@ class ComparePanel(QFrame):
         self._model.show_rows(() if scene is None else scene.rows)
         if scene is None:
             return
+        self._outdated = scene.outdated
         self._title.setText(scene.title)
         self._figures.setText(scene.figures)
         stretches = tr("You agree everywhere.")
@@ -138,14 +151,25 @@ class ComparePanel(QFrame):
         self._list.setVisible(bool(scene.rows))
         self._fit_list(len(scene.rows))
         self._again.setVisible(scene.outdated)
+        self._offer_theirs()
 
     def _fit_list(self, rows: int) -> None:
-        """As high as its rows, up to a few: below it stands the review queue."""
+        """A few rows, as below it may stand the review queue; all of them where there is room."""
         frame = 2 * self._list.frameWidth()
         height = max(1, self._list.sizeHintForRow(0))
-        self._list.setFixedHeight(min(max(rows, 1), _MOST_ROWS) * height + frame)
+        self._list.setMinimumHeight(min(max(rows, 1), _LEAST_ROWS) * height + frame)
+        self._list.setMaximumHeight(max(rows, 1) * height + frame)
+
+    def _offer_theirs(self) -> None:
+        """Of the row that was chosen, unless it was compared with what stands no more."""
+        self._theirs.setVisible(bool(self._model.rows))
+        self._theirs.setEnabled(self._list.currentIndex().isValid() and not self._outdated)
+
+    def _ask_theirs(self) -> None:
+        self.theirs_asked.emit(self._list.currentIndex().row())
 
     def _seek(self, index: QModelIndex) -> None:
+        self._offer_theirs()
         if index.isValid():
             row = self._model.rows[index.row()]
             self.stretch_sought.emit(row.frame, row.track)

@@ -189,11 +189,11 @@ COMMANDS: Final[tuple[Command[CorrectionApp], ...]] = (
     ),
     _annotate(
         "tracks.dismiss_ghost",
-        "Wait for this person no more",
+        "Show the last box of this person no more",
         ("Shift+Backspace",),
         drawable,
         AnnotationController.dismiss_ghost,
-        also="ghost left gone outside",
+        also="ghost left gone outside wait",
     ),
     *_steps(),
     *_by_keys(),

@@ -57,6 +57,7 @@ class AnnotationController(Controller):
         self.meter = WorkMeter(time.monotonic)
         document.tell(self.meter)
         self.suggested: tuple[SuggestedBox, ...] = ()
+        self._state: FrameState | None = None
 
     @property
     def busy(self) -> bool:
@@ -89,13 +90,25 @@ class AnnotationController(Controller):
         mode = self._document.correcting.mode
         mode.at_once = not mode.at_once
         mode.two_at_once = mode.two_at_once and mode.at_once
-        self.changed.emit()
+        self._tell_at_once()
 
     def toggle_two_at_once(self) -> None:
         """Those of two people, too."""
         mode = self._document.correcting.mode
         mode.two_at_once = not mode.two_at_once
         mode.at_once = mode.at_once or mode.two_at_once
+        self._tell_at_once()
+
+    @property
+    def at_once_text(self) -> str:
+        """That edits are done without a preview; "" where they are not."""
+        mode = self._document.correcting.mode
+        if mode.two_at_once:
+            return tr("Edits without preview, of two people, too")
+        return tr("Edits without preview") if mode.at_once else ""
+
+    def _tell_at_once(self) -> None:
+        self.said.emit(self.at_once_text or tr("Edits are shown before they are done"))
         self.changed.emit()
 
     # boxes by keys
@@ -153,7 +166,7 @@ class AnnotationController(Controller):
             self._editing.put_box(ghost.box)
 
     def dismiss_ghost(self) -> None:
-        """Wait no more for who is expected under the mouse, else for who is selected."""
+        """Show no more the last box of who is expected under the mouse, else of who is selected."""
         frame, place = self._playback.clock.frame, self._pointed_place()
         ghosts = {ghost.track: ghost for ghost in self._ghosts(frame)}
         mine = self._ghost(frame)
@@ -161,10 +174,15 @@ class AnnotationController(Controller):
         pointed = suggestion_at(expected, *place) if place is not None else None
         ghost = ghosts[pointed.track] if pointed is not None else mine
         if ghost is None:
-            self.said.emit(tr("Nobody is waited for here"))
+            self.said.emit(tr("No last box is shown here"))
             return
         self._document.correcting.mode.dismissed[ghost.track] = ghost.frame
-        self.said.emit(tr("{track} is waited for no more", track=ghost.track))
+        self.said.emit(
+            tr(
+                "The last box of {track} is shown no more, until they are drawn again",
+                track=ghost.track,
+            )
+        )
         self.changed.emit()
 
     def accept_suggestion(self) -> None:
@@ -172,9 +190,13 @@ class AnnotationController(Controller):
 
         One under the mouse is of whom it says, else of whom the next box that is drawn would be.
         """
-        pointed = self._pointed()
+        suggested = self._suggested_now()
+        if suggested is None:
+            return
+        place = self._pointed_place()
+        pointed = suggestion_at(suggested, *place) if place is not None else None
         if pointed is None:
-            mine = (one for one in self.suggested if self._track and one.track == self._track)
+            mine = (one for one in suggested if self._track and one.track == self._track)
             pointed = next(mine, None)
         if pointed is None:
             self.said.emit(tr("No suggested box is near: point at one with the mouse"))
@@ -188,15 +210,35 @@ class AnnotationController(Controller):
 
     def accept_all(self) -> None:
         """Take every suggested box that says whose it may be."""
-        boxes = {one.track: one.box for one in self.suggested if one.track}
+        suggested = self._suggested_now()
+        if suggested is None:
+            return
+        boxes = {one.track: one.box for one in suggested if one.track}
         if boxes:
             self._editing.put_boxes(boxes)
-        else:
+        elif suggested:
             self.said.emit(tr("No suggested box is near to anybody who was here before"))
+        else:
+            self.said.emit(tr("There is no suggested box in this frame"))
 
-    def _pointed(self) -> SuggestedBox | None:
-        place = self._pointed_place()
-        return suggestion_at(self.suggested, *place) if place is not None else None
+    def _suggested_now(self) -> tuple[SuggestedBox, ...] | None:
+        """What can be accepted in the frame that is shown, drawn as suggested or not.
+
+        None: that is still being read, which is said.
+        """
+        if not self.suggested and self._state is not None:
+            self.suggested = self._suggest(self._state)
+            if self._search.busy:
+                self.said.emit(tr("Suggested boxes are still being read: press the key again"))
+                return None
+        return self.suggested
+
+    def _suggest(self, state: FrameState) -> tuple[SuggestedBox, ...]:
+        ghosts = {one.track: one for one in self._ghosts(state.frame)}
+        if (mine := self._ghost(state.frame)) is not None:
+            ghosts[mine.track] = mine
+        found = self._search.boxes(state.frame, state.tracks)
+        return suggest_boxes(found.boxes, tuple(ghosts.values()), found.alone)
 
     def _pointed_place(self) -> tuple[float, float] | None:
         """Where the mouse is in the picture, in its pixels."""
@@ -210,28 +252,24 @@ class AnnotationController(Controller):
         """Show a frame's ghosts and suggestions."""
         correcting = self._document.correcting
         shown = correcting.can_place and correcting.flow is None
-        searched = shown and (options.suggestions or correcting.mode.drawing)
+        drawing = correcting.mode.drawing
+        self._state = state if shown else None
         mine = self._ghost(state.frame) if shown else None
-        ghosts = {one.track: one for one in self._ghosts(state.frame)} if searched else {}
-        if mine is not None:
-            ghosts[mine.track] = mine
-        self.suggested = ()
-        if searched:
-            boxes = self._search.boxes(state.frame, state.tracks)
-            self.suggested = suggest_boxes(boxes, tuple(ghosts.values()))
+        ghosts = self._ghosts(state.frame, drawn_only=True) if shown and drawing else ()
+        searched = shown and (options.suggestions or drawing)
+        self.suggested = self._suggest(state) if searched else ()
         found = {one.track for one in self.suggested}
-        drawn = [
-            one
-            for one in ghosts.values()
-            if one is mine or (correcting.mode.drawing and one.track not in found)
-        ]
+        others = (one for one in ghosts if mine is None or one.track != mine.track)
+        drawn = [one for one in others if one.track not in found]
+        drawn += [] if mine is None else [mine]
         suggestions = (self._mark(one, state) for one in self.suggested)
         self._picture.show_suggested(
             (*suggestions, *(_ghost_mark(one, state, last=one is mine) for one in drawn))
         )
 
-    def _ghosts(self, frame: int) -> tuple[Ghost, ...]:
-        return self._document.correcting.ghosts_of_drawn(self._table(), frame)
+    def _ghosts(self, frame: int, *, drawn_only: bool = False) -> tuple[Ghost, ...]:
+        correcting = self._document.correcting
+        return correcting.ghosts_before(self._table(), frame, drawn_only=drawn_only)
 
     def _ghost(self, frame: int) -> Ghost | None:
         ghost = find_ghost(self._table(), self._track, frame, self._document.recording.fps)

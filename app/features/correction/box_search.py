@@ -7,7 +7,7 @@ from collections.abc import Callable, Iterator
 from PySide6.QtCore import QObject, Qt, Signal
 
 from app.core.document.document import Document
-from app.core.editing.suggested_boxes import unclaimed
+from app.core.editing.suggested_boxes import FoundBoxes, unclaimed
 from app.core.i18n import tr
 from app.core.jobs.latest_job import LatestJob
 from app.core.tracks.track_reader import TrackReader
@@ -20,7 +20,7 @@ from tracking.detections import (
     outside,
 )
 from tracking.progress import Progress
-from tracking.tracks import Box, Run
+from tracking.tracks import Run
 from tracking.tracks.columns import boxes_of
 
 _FILE = "detections.file"
@@ -55,7 +55,7 @@ class BoxSearch(QObject):
         """End the thread."""
         self._job.stop()
 
-    def boxes(self, frame: int, tracks: TrackReader) -> tuple[Box, ...]:
+    def boxes(self, frame: int, tracks: TrackReader) -> FoundBoxes:
         """The boxes of the left camera in a frame that none of these tracks has."""
         name = self._file()
         if name:

@@ -20,7 +20,7 @@ _LEAST_S: Final = 30.0
 
 
 class WorkMeter(DocumentListener):
-    """Follows the edits of a document since it was opened.
+    """Follows the edits of a document since it was opened, all but imports.
 
     Attributes:
         boxes: labelled by now: those put by hand and those interpolated, less what was undone.
@@ -43,6 +43,9 @@ class WorkMeter(DocumentListener):
     ) -> None:
         """Count an edit."""
         now = self._seconds()
+        if change.kind == "import":  # made elsewhere, in a time nobody measured
+            self._last_s = now
+            return
         self.worked_s += min(now - self._last_s, PAUSE_S)
         self._last_s = now
         self.edits += 1

@@ -16,6 +16,7 @@ from app.core.scenes.part_names import part_name
 from app.features.labelling.part_labeller import PartLabeller
 from app.features.labelling.suggestion_search import SuggestionSearch
 from tracking.editing import Change
+from tracking.errors import EditError
 from tracking.tracks import PART_NAMES, Box, PartLabels
 
 Do = Callable[[Callable[[], Change]], bool]
@@ -63,8 +64,17 @@ class PartKeys(Controller):
         if part is not None:
             choice.part = part
         suggested = self._at_suggested(frame)
-        if self._do(lambda: self._presenter.plan_say(frame, on_part)):
+        if self._is_said(frame, on_part) or self._do(
+            lambda: self._presenter.plan_say(frame, on_part)
+        ):
             self._go_on(suggested)
+
+    def _is_said(self, frame: int, on_part: bool | None) -> bool:
+        """Whether an answer only goes on, as the same was said already."""
+        try:
+            return self._presenter.is_said(frame, on_part)
+        except EditError:
+            return False
 
     def put_box(self, part: int, box: Box) -> None:
         """A rectangle was drawn, or dragged to where the part is."""

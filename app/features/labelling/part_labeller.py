@@ -88,12 +88,22 @@ class PartLabeller:
 
         Raises EditError where the person has no rectangle in the frame, or in the range.
         """
-        labels = self._meant(frame)
-        said = [
+        return plan_label_part(self._labels, self._said(frame, on_part))
+
+    def is_said(self, frame: int, on_part: bool | None) -> bool:
+        """Whether that was said of all it is about: an answer changes nothing.
+
+        Raises EditError as `plan_say`.
+        """
+        given = self._labels.parts
+        meant = self._meant(frame)
+        return all(one.key in given and given[one.key].on_part is on_part for one in meant)
+
+    def _said(self, frame: int, on_part: bool | None) -> list[PartLabel]:
+        return [
             replace(one, on_part=on_part, author=self._author, reason=self._reason(one))
-            for one in labels
+            for one in self._meant(frame)
         ]
-        return plan_label_part(self._labels, said)
 
     def _meant(self, frame: int) -> list[PartLabel]:
         """The rectangles an answer is about."""

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 import math
 from collections.abc import Mapping
+from dataclasses import replace
 
 import numpy as np
 
 from tracking.session import parts_by_now
-from tracking.tracks import PART_NAMES, Columns, Labels, PartLabel, Run, TrackTable
+from tracking.tracks import PART_NAMES, Box, Columns, Labels, PartLabel, Run, TrackTable
 
 _BOX = ("left", "top", "width", "height")
 _SHARES = ((0.00, 0.15, 0.50), (0.15, 0.52, 0.95), (0.52, 1.00, 0.85))
@@ -16,14 +17,18 @@ _SHARES = ((0.00, 0.15, 0.50), (0.15, 0.52, 0.95), (0.52, 1.00, 0.85))
 and their widths as shares of the box: chin at 0.87, hip at 0.53 and crotch at 0.47 of the height
 from the floor [Drillis1966], each rectangle with a little around it."""
 
+_CARRIED_FRAMES = 250
+"""A rectangle that was drawn longer ago says nothing of how somebody holds themselves by now."""
+
 
 def parts_of(
     labels: Labels, table: TrackTable, run: Run | None, track: int, frame: int
 ) -> dict[int, tuple[PartLabel, bool]]:
     """By part, the label and whether somebody gave it.
 
-    What nobody labelled is where the run's tracker saw it, else where the box of the person
-    would have it. Empty where the person has no row in the frame and nothing was said.
+    What nobody labelled is where the run's tracker saw it, else in the box of the person where it
+    was in theirs when it was labelled last, else where a box usually has it. Empty where the person
+    has no row in the frame and nothing was said.
     """
     given = {
         part: labels.parts[frame, track, part]
@@ -32,6 +37,9 @@ def parts_of(
     }
     rows = table.of_track(track, frame, frame + 1)
     guesses = _from_box(rows, track, frame) if len(rows["frame"]) else {}
+    guesses = {
+        part: replace(guess, box=_carried(labels, table, guess)) for part, guess in guesses.items()
+    }
     seen = _boxes_seen(parts_by_now(table, run, [track], (frame, frame + 1)))
     guesses |= {label.part: label for label in seen}
     parts = sorted({*given, *guesses})
@@ -61,13 +69,47 @@ def parts_over(
         {label.frame: label for label in seen}
         if seen
         else {
-            frame: _from_box({name: rows[name][at : at + 1] for name in _BOX}, track, frame)[part]
+            frame: replace(guess, box=_carried(labels, table, guess))
             for at, frame in enumerate(rows["frame"].tolist())
             if all(math.isfinite(rows[name][at]) for name in _BOX)
+            for guess in [
+                _from_box({name: rows[name][at : at + 1] for name in _BOX}, track, frame)[part]
+            ]
         }
     )
     everything = {**guessed, **given}
     return [everything[frame] for frame in sorted(everything)]
+
+
+def _carried(labels: Labels, table: TrackTable, guess: PartLabel) -> Box:
+    """Where a part is that was drawn in an earlier frame: it lies in the person's box as there."""
+    frame, track = guess.frame, guess.track
+    before = labels.parts.of_track(track, max(0, frame - _CARRIED_FRAMES), frame)
+    drawn = [one for one in before if one.part == guess.part and one.source == "person"]
+    if not drawn:
+        return guess.box
+    then, now = _person_box(table, track, drawn[-1].frame), _person_box(table, track, frame)
+    if then is None or now is None:
+        return guess.box
+    left, top, width, height = drawn[-1].box
+    wider, higher = now[2] / then[2], now[3] / then[3]
+    return (
+        now[0] + (left - then[0]) * wider,
+        now[1] + (top - then[1]) * higher,
+        width * wider,
+        height * higher,
+    )
+
+
+def _person_box(table: TrackTable, track: int, frame: int) -> Box | None:
+    """A person's box; None where they have none with a size."""
+    rows = table.of_track(track, frame, frame + 1)
+    if not len(rows["frame"]):
+        return None
+    left, top, width, height = (float(rows[name][0]) for name in _BOX)
+    if not (math.isfinite(left + top) and 0 < width < math.inf and 0 < height < math.inf):
+        return None
+    return left, top, width, height
 
 
 def _boxes_seen(parts: Columns) -> list[PartLabel]:

@@ -104,6 +104,11 @@ class BoxNamePainter:
         """The track that has a plate only because the cursor is there; 0: none."""
         return self._forced
 
+    @property
+    def plates(self) -> list[tuple[int, QRectF]]:
+        """Whose names are shown, and where, the topmost first."""
+        return [(one.mark.track, one.rect) for one in self._plates]
+
     def draw(self, painter: QPainter, boxed: BoxNameInput, over: int = 0) -> list[QRectF]:
         """Draw the plates of those in sight, and tell where they stand.
 

@@ -69,6 +69,8 @@ class PictureView(PictureSurface):
         """Draw another frame."""
         before, previous = self._image.size(), self._scene
         self._scene = scene
+        if scene.drawing and not previous.drawing:
+            self._hover = self.pointed_at  # not where the mouse was when a box was drawn last
         if scene.image is not previous.image:
             self._image = image_from_bgr(scene.image)
         if scene.overlay is not previous.overlay:
@@ -226,6 +228,9 @@ class PictureView(PictureSurface):
         """Nobody is under the cursor any more."""
         super().leaveEvent(event)
         self._point_at(0)
+        if self._hover is not None:
+            self._hover = None
+            self.update()
 
     def _point_at(self, track: int) -> None:
         """Whoever is under the cursor is named, also where that hides somebody."""
@@ -246,7 +251,12 @@ class PictureView(PictureSurface):
         return f"{name}\n{said}" if said else name
 
     def _person_at(self, at: QPointF) -> PersonMark | None:
-        """The person whose box is hit; of several, the one whose middle is nearest."""
+        """The person whose name or box is hit; of several, the one whose middle is nearest."""
+        plates = self._painter.naming.plates
+        named = next((track for track, plate in plates if plate.contains(at)), 0)
+        for person in self._scene.people:
+            if named == person.track:  # names lie on top of people
+                return person
         reach = _PICK_REACH_PX
         hits = []
         for person in self._scene.people:
@@ -285,5 +295,5 @@ class PictureView(PictureSurface):
         if movable is not None and not self._labels.labelling:
             rect = self.viewport.rect(QRectF(*movable.box))
             draw_handles(painter, rect, QColor(*movable.colour))
-        if self._scene.drawing and self._hover is not None:
+        if self._scene.drawing and self._hover is not None and self._place.contains(self._hover):
             draw_cross(painter, self._hover, shown)

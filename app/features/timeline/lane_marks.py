@@ -59,6 +59,12 @@ def draw_keyframes(
     painter.drawRects([QRectF(x - side / 2, middle - side / 2, side, side) for x in places])
 
 
+def shown_marks(lane: Lane) -> list[TimelineMark]:
+    """The marks of a lane that are drawn: a keyframe shows by its own that it was edited."""
+    made = set(lane.keyframes.tolist())
+    return [mark for mark in lane.marks if mark.kind is not MarkKind.EDIT or mark.frame not in made]
+
+
 def draw_marks(
     painter: QPainter,
     marks: Iterable[TimelineMark],
@@ -67,9 +73,9 @@ def draw_marks(
     theme: Theme,
 ) -> None:
     """Diamonds where it was edited, crosses where it was swapped, triangles where to look."""
-    frames: dict[MarkKind, list[int]] = {}
+    frames: dict[MarkKind, list[float]] = {}
     for mark in marks:
-        frames.setdefault(mark.kind, []).append(mark.frame)
+        frames.setdefault(mark.kind, []).append(_stands_at(mark))
     reach = max(3.0, _REACH * row.height())
     for kind, draw in _DRAWN.items():
         if kind in frames:
@@ -79,9 +85,17 @@ def draw_marks(
 
 def mark_at(marks: Iterable[TimelineMark], x: float, axis: TimeAxis) -> TimelineMark | None:
     """The mark nearest to a place on the screen, within reach of the mouse."""
-    near = [(abs(axis.x_of(mark.frame) - x), at, mark) for at, mark in enumerate(marks)]
+    near = [
+        (abs(axis.left + (_stands_at(mark) - axis.start) * axis.px_per_frame - x), at, mark)
+        for at, mark in enumerate(marks)
+    ]
     best = min(near, default=None)
     return best[2] if best is not None and best[0] <= _APART_PX + 1 else None
+
+
+def _stands_at(mark: TimelineMark) -> float:
+    """In its frame's middle, as keyframes; a swap stands between two frames."""
+    return mark.frame + (0.5 if mark.kind is MarkKind.EDIT else 0.0)
 
 
 def _places(frames: NDArray[np.floating], axis: TimeAxis) -> list[float]:

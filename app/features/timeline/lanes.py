@@ -13,7 +13,7 @@ from app.core.look.theme import Theme, faded
 from app.core.plots.axis import TimeAxis
 from app.core.plots.strips import covered, covered_by_kind, dotted, draw_strip, opacity
 from app.core.scenes import Lane, SpanKind
-from app.features.timeline.lane_marks import draw_ends, draw_keyframes, draw_marks
+from app.features.timeline.lane_marks import draw_ends, draw_keyframes, draw_marks, shown_marks
 from app.features.timeline.lane_score import draw_score
 
 _BAR, _DOTS = 0.52, 0.2  # of a lane's height
@@ -55,7 +55,7 @@ def draw_lane(
         draw_score(painter, lane.score, above, axis, theme)
     draw_ends(painter, lane, row, axis, tracked, theme)
     draw_keyframes(painter, lane, row, axis, theme)
-    draw_marks(painter, lane.marks, row, axis, theme)
+    draw_marks(painter, shown_marks(lane), row, axis, theme)
     painter.restore()
 
 

@@ -10,8 +10,9 @@ from pathlib import Path
 import pytest
 from command_line import Trackwright
 
-from tracking.editing import plan_swap
+from tracking.editing import plan_delete, plan_swap
 from tracking.recording import open_recording
+from tracking.scoring import DISAGREEMENT_GAP_S, ScoringTable, agreement
 from tracking.session import Session
 from tracking.tracks import Run
 
@@ -44,6 +45,22 @@ def test_a_swap_is_where_two_sessions_disagree(trackwright: Trackwright, session
     status, out, _ = trackwright("compare", session, swapped)
     assert status == 0
     assert "frames 60 to" in out
+
+
+def test_as_many_disagreements_are_told_as_in_the_window(trackwright, session, swapped):
+    with closing(Session.open(swapped)) as other:
+        track = other.tracks.track_ids[0]
+        start = int(other.tracks.frames_of_track(track)[0])
+        for frame in (start + 4, start + 7):  # with less than half a second between
+            other.apply(plan_delete(other.tracks, track, frame, frame + 1))
+        other.save()
+        tables = [ScoringTable.from_columns(other.tracks.columns())]
+        fps = other.recording.fps
+    with closing(Session.open(session)) as own:
+        tables.insert(0, ScoringTable.from_columns(own.tracks.columns()))
+    figures = json.loads(trackwright("compare", session, swapped, "--json")[1])
+    wanted = agreement(*tables, gap=round(DISAGREEMENT_GAP_S * fps)).disagreements
+    assert len(figures["disagreements"]) == len(wanted) < len(agreement(*tables).disagreements)
 
 
 @pytest.mark.parametrize("match", ["box", "floor"])

@@ -202,6 +202,26 @@ def test_an_edit_of_one_person_is_done_at_once_where_that_is_wanted(drawing):
     assert drawing.frames(1) == list(range(2, 13))
 
 
+def test_the_status_bar_says_that_edits_have_no_preview(drawing, qtbot):
+    drawing.press(Key.Key_P, SHIFT)
+    assert drawing.window.statusBar().currentMessage() == "Edits without preview"
+    assert drawing.controller.work_text == "Edits without preview"
+    drawing.press(Key.Key_P, SHIFT)
+    assert drawing.window.statusBar().currentMessage() == "Edits are shown before they are done"
+    assert drawing.controller.work_text == ""
+
+
+def test_the_cross_begins_where_the_mouse_is_not_where_a_box_was_drawn_last(drawing, qtbot):
+    _drag(drawing, 20)
+    view = drawing.window.workspace.left
+    drawing.press(Key.Key_Escape)
+    drawing.press(Key.Key_Escape)
+    _point(drawing, 200, 20)
+    drawing.press(Key.Key_D, SHIFT)
+    assert view._hover == view.pointed_at
+    assert view.viewport.to_content(view._hover).x() == pytest.approx(200, abs=1)
+
+
 @pytest.mark.parametrize("two", [False, True])
 def test_edits_of_two_people_keep_the_preview_unless_they_are_meant_too(drawing, two):
     _drag(drawing, 20)
@@ -292,7 +312,7 @@ def test_who_has_left_is_waited_for_no_more_until_they_are_drawn_again(drawing):
     drawing.press(Key.Key_Escape)
     drawing.press(Key.Key_Escape)
     drawing.press(Key.Key_Backspace, SHIFT)
-    assert "Nobody is waited for" in drawing.window.statusBar().currentMessage()
+    assert "No last box is shown" in drawing.window.statusBar().currentMessage()
 
 
 # moved by keys
@@ -401,6 +421,29 @@ def test_suggestions_are_shown_without_drawing_where_they_are_switched_on(detect
     assert _suggested(detected) == []
     detected.press(Key.Key_K, SHIFT)
     assert len(_suggested(detected)) == 2
+
+
+def test_suggestions_are_accepted_by_keys_where_they_are_not_shown(detected):
+    detected.press(Key.Key_Escape)
+    assert _suggested(detected) == []
+    _point(detected, 20, 40)
+    detected.press(Key.Key_Return, SHIFT)
+    assert _box(detected, 1, 2) == pytest.approx([12, 10, 20, 60])
+
+
+def test_those_whose_track_of_a_tracker_ends_just_before_are_continued(detected):
+    for at in ((20, 40), (45, 130)):
+        _point(detected, *at)
+        detected.press(Key.Key_Return, SHIFT)
+    detected.press(Key.Key_Escape)
+    table = detected.controller.document.session.tracks
+    for track in (1, 2):
+        rows = table.of_track(track)
+        tracked = {**rows, "source": np.full_like(rows["source"], Source.TRACKER)}
+        table.rewrite(rows, np.zeros((0, 4), np.int64), tracked)
+    detected.go(3)
+    detected.press(Key.Key_Return, CTRL | SHIFT)
+    assert detected.people(3) == [1, 2]
 
 
 def test_a_file_of_detections_that_cannot_be_read_is_told_of(window, qtbot, folder):

@@ -77,6 +77,24 @@ def test_after_an_edit_it_can_be_compared_again(window, controller, compared, an
     assert compared._again.isHidden()
 
 
+def test_theirs_is_taken_of_one_disagreement_as_one_edit(
+    window, controller, compared, anns, qtbot
+):
+    _, a, b = anns
+    session = controller.document.session
+    assert not compared._theirs.isEnabled()
+    rows = [(row.frame, row.track) for row in compared._model.rows]
+    compared._list.setCurrentIndex(compared._model.index(rows.index((70, b))))
+    compared._theirs.click()
+    qtbot.waitUntil(lambda: not window.work.busy)
+    assert len(session.history) == 1
+    assert (70, b) not in [(row.frame, row.track) for row in compared._model.rows]
+    assert not set(range(70, 75)) & set(session.tracks.frames_of_track(b).tolist())
+    controller.editing.undo()
+    assert set(range(70, 75)) <= set(session.tracks.frames_of_track(b).tolist())
+    assert not compared._theirs.isEnabled()  # it was compared with what stands no more
+
+
 def test_closing_takes_the_others_away(window, controller, compared, qtbot):
     controller.playback.go(60)
     qtbot.waitUntil(lambda: bool(window.workspace.left._others))

@@ -102,6 +102,13 @@ def test_imported_tracks_are_one_edit_that_is_undone_at_once(window, controller,
     dialog.accept()
     assert set(document.tracks.ids) == {*ids, 500}
     assert window.statusBar().currentMessage() == "1 track imported"
+    controller.playback.go(7)
+    qtbot.waitUntil(lambda: controller.playback.number == 7)
+    document.selection.choose(0)
+    controller.editing.undo()
+    controller.editing.redo()
+    assert controller.playback.clock.frame == 7
+    assert document.selection.all == ()
     controller.editing.undo()
     after = document.session.tracks.columns()
     for name, column in before.items():

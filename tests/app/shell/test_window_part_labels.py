@@ -291,3 +291,15 @@ def test_a_rectangle_that_is_held_is_not_put_into_another_frame(hands, suggested
     hands.go(other)
     QTest.mouseRelease(layer, LEFT, NO_KEY, at)
     assert len(labels()) == 0
+
+
+def test_a_key_goes_on_from_a_part_that_is_labelled_so_already(hands, labels, window):
+    track = hands.people()[0]
+    hands.controller.editing.pick(track)
+    hands.press(Key.Key_1, ALT)
+    frame, keys = hands.controller.playback.number, hands.controller.labelling._keys
+    keys.put_box(0, keys._presenter.parts(frame)[0][0].box)
+    for _ in range(3):
+        hands.press(Key.Key_4)
+    assert sorted(labels()) == [(frame, track, part) for part in range(3)]
+    assert {one.on_part for one in labels().values()} == {True}

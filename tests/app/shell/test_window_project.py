@@ -227,3 +227,18 @@ def test_a_detector_is_trained_from_all_sessions_with_labels(
     dialog = window.findChild(TrainDialog)
     qtbot.waitUntil(lambda: dialog._list.count() == 2)
     dialog.reject()
+
+
+def test_a_folder_opened_as_a_project_comes_back_as_one_from_the_first_page(
+    window, qtbot, tmp_path
+):
+    pictures = tmp_path / "p2" / "pics"
+    pictures.mkdir(parents=True)
+    for number in range(3):
+        (pictures / f"{number}.jpg").write_bytes(b"")
+    window.files.projects.open(tmp_path / "p2")
+    window.files.projects.close_project()
+    window.files.open_recent((tmp_path / "p2").resolve())
+    qtbot.waitUntil(lambda: window.files.projects.is_open)
+    assert window.files.setup.dialog is None
+    assert window.files.welcome_scene().recent[0].detail.startswith("project")

@@ -64,10 +64,18 @@ def test_nobody_is_grey():
 
 
 def test_ids_that_would_share_a_colour_differ_where_they_are_seen_together():
-    apart = colours_of({1: (0, 50), 25: (500, 550)})
+    stays = {one: (600 * one, 600 * one + 50) for one in range(1, len(TRACK_COLOURS) + 2)}
+    apart = colours_of(stays)
     assert apart.of(1) == apart.of(25)
     together = colours_of({1: (0, 50), 25: (30, 80)})
     assert _ALIKE[together.of(1), together.of(25)] < 0.05
+
+
+def test_nobody_shares_a_colour_where_there_are_fewer_people_than_colours():
+    drawn = TrackColours()
+    for track in (1, 2, 3, 26, 4, 25, 50):  # one after the other, never together
+        drawn.meet_over(track, [])
+    assert len({drawn.of(track) for track in (1, 2, 3, 26, 4, 25, 50)}) == 7
 
 
 def test_who_comes_up_as_somebody_leaves_does_not_take_their_colour():

@@ -5,7 +5,7 @@ import pytest
 
 from app.core.editing.suggested_boxes import (
     find_ghost,
-    ghosts_of_drawn,
+    ghosts_before,
     suggest_boxes,
     suggestion_at,
     unclaimed,
@@ -50,28 +50,30 @@ def test_who_has_a_box_or_left_long_ago_has_no_ghost(track, frame):
     assert find_ghost(_table((1, 0, 0.0)), track, frame, FPS) is None
 
 
-def test_of_those_who_were_tracked_alone_no_ghosts_wait():
-    assert ghosts_of_drawn(_tracked(), 3, FPS) == ()
-    assert [ghost.track for ghost in ghosts_of_drawn(_table((1, 0, 0.0)), 3, FPS)] == [1]
+def test_those_who_were_tracked_are_left_out_where_only_drawn_ones_are_meant():
+    assert ghosts_before(_tracked(), 3, FPS, drawn_only=True) == ()
+    assert [ghost.track for ghost in ghosts_before(_tracked(), 3, FPS)] == [1]
+    drawn = _table((1, 0, 0.0))
+    assert [one.track for one in ghosts_before(drawn, 3, FPS, drawn_only=True)] == [1]
 
 
 def test_boxes_that_a_track_has_or_another_source_found_are_left_out():
     there = np.array([[0.0, 0, 20, 60], [np.nan] * 4])
     first = np.array([[2.0, 0, 20, 60], [100, 0, 20, 60]])
     second = np.array([[103.0, 2, 20, 60], [200, 0, 20, 60], [np.nan] * 4])
-    assert [box[0] for box in unclaimed([first, second], there)] == [100, 200]
+    assert [box[0] for box in unclaimed([first, second], there).boxes] == [100, 200]
 
 
 def test_boxes_go_to_those_who_together_are_nearest_and_far_ones_to_nobody():
     table = _table((1, 0, 0.0), (2, 0, 25.0))
-    ghosts = ghosts_of_drawn(table, 1, FPS)
+    ghosts = ghosts_before(table, 1, FPS)
     left, right, far = (12.0, 10, 20, 60), (37.0, 10, 20, 60), (200.0, 10, 20, 60)
     found = suggest_boxes([right, left, far], ghosts)
     assert [one.track for one in found] == [2, 1, 0]
 
 
 def test_a_box_of_quite_another_size_is_nobody_s():
-    ghosts = ghosts_of_drawn(_table((1, 0, 0.0)), 1, FPS)
+    ghosts = ghosts_before(_table((1, 0, 0.0)), 1, FPS)
     assert suggest_boxes([(0.0, 0, 40, 120)], ghosts)[0].track == 0
 
 
@@ -86,3 +88,20 @@ def test_who_walks_out_of_the_picture_is_expected_no_more():
     ghost = find_ghost(_table((1, 0, 20.0), (1, 5, 0.0)), 1, 12, FPS)
     assert not ghost.is_inside((100, 100))
     assert find_ghost(_table((1, 0, 20.0), (1, 5, 0.0)), 1, 6, FPS).is_inside((100, 100))
+
+
+def test_a_box_on_somebody_who_is_there_is_not_suggested_for_who_is_missing_beside_them():
+    ghosts = ghosts_before(_table((4, 0, 0.0)), 10, FPS)
+    there = np.array([[12.0, 10, 20, 60]])
+    loose = (12.0, 6, 40, 66)  # around the body of who is there, yet overlapping it too little
+    found = unclaimed([np.array([loose])], there)
+    assert found.boxes == (loose,)
+    assert suggest_boxes(found.boxes, ghosts)[0].track == 1
+    assert suggest_boxes(found.boxes, ghosts, found.alone) == ()
+
+
+def test_who_is_there_with_a_box_of_their_own_takes_no_other():
+    there = np.array([[12.0, 10, 20, 60]])
+    found = unclaimed([np.array([[12.0, 10, 20, 60], [0.0, 10, 20, 60]])], there)
+    assert found.alone == ()
+    assert [box[0] for box in found.boxes] == [0]

@@ -1,5 +1,7 @@
 """The meter of boxes and edits an hour."""
 
+from dataclasses import replace
+
 import pytest
 
 from app.features.correction.work_meter import PAUSE_S, WorkMeter
@@ -66,3 +68,11 @@ def test_who_draws_no_box_is_told_of_none(meter, clock):
     apply_change(table, Labels(), drawn)
     _take(meter, clock, plan_mark_occluded(table, [1], 0, 1), 2)
     assert meter.text() == "1 edit"
+
+
+def test_imported_boxes_are_nobody_s_work(meter, clock):
+    drawn = plan_draw_box(TrackTable(), None, 0, BOX)
+    imported = replace(drawn, kind="import")
+    for change in (imported, imported.inverse, drawn):
+        _take(meter, clock, change, 20)
+    assert (meter.boxes, meter.edits, meter.worked_s) == (1, 1, 20)

@@ -39,3 +39,8 @@ def test_what_is_there_says_its_kind_and_day_and_what_has_gone_is_marked(tmp_pat
 def test_a_path_that_no_file_can_have_is_marked_as_gone():
     odd = [Path("/a/with\0nothing.h5"), Path("/a") / ("long" * 100)]
     assert [item.exists for item in first_page(dict.fromkeys(odd, "Lobby")).recent] == [False] * 2
+
+
+def test_a_folder_that_was_opened_as_a_project_is_called_one(tmp_path):
+    (item,) = first_page({tmp_path: "walks"}, projects=[tmp_path]).recent
+    assert item.detail.startswith("project")

@@ -142,6 +142,16 @@ def test_a_click_on_a_person_picks_them(view, qtbot):
     assert picked.args == [2]
 
 
+def test_a_click_on_a_name_picks_whose_it_is_also_over_somebody_else(view, drawn, qtbot):
+    view.show_scene(picture(person(1, (100, 80, 60, 100)), person(2, (95, 30, 80, 60))))
+    drawn(view)
+    for track, plate in view._painter.naming.plates:
+        with qtbot.waitSignal(view.track_picked) as picked:
+            qtbot.mouseClick(view, LEFT, pos=plate.center().toPoint())
+        assert picked.args == [track]
+    assert len(view._painter.naming.plates) == 2
+
+
 def test_of_people_over_each_other_the_nearest_is_picked(view, qtbot):
     view.show_scene(picture(person(1, (100, 60, 60, 120)), person(2, (130, 60, 60, 120))))
     with qtbot.waitSignal(view.track_picked) as picked:

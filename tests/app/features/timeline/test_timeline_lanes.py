@@ -1,3 +1,4 @@
+from dataclasses import replace
 from types import SimpleNamespace
 
 import numpy as np
@@ -8,6 +9,7 @@ from app.core.document.edit_history import EditMarks
 from app.core.scenes import MarkKind, SpanKind, TimelineMark
 from app.core.tracks.frame_state import FrameState
 from app.core.tracks.session_tracks import SessionTracks
+from app.features.timeline.lane_marks import shown_marks
 from app.features.timeline.presenter import TimelinePresenter
 from tracking.editing import (
     History,
@@ -185,3 +187,11 @@ def test_an_edit_is_not_marked_on_a_lane_that_ends_before_it(tracks):
     presenter.take(tracks, {7: (reached, beyond)})
     (lane,) = (one for one in _scene(presenter, tracks).lanes if one.track == 7)
     assert lane.marks == (reached,)
+
+
+def test_a_frame_bears_one_mark_of_an_edit_its_keyframe(timeline, tracks):
+    lane = _scene(timeline, tracks).lanes[1]
+    assert shown_marks(lane) == [_EDIT]
+    swap = TimelineMark(MarkKind.SWAP, 50, 7, "Swap 4 and 7")
+    made = replace(lane, keyframes=np.array([50]), marks=(_EDIT, swap))
+    assert shown_marks(made) == [swap]
