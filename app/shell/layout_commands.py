@@ -120,7 +120,7 @@ def _layout(layout: Layout) -> Command[WindowApp]:
         recording,
         lambda app: lay_out(app, layout),
         separated=layout in (LAYOUTS[0], FIRST),
-        also=f"preset panels {layout.id} {layout.also}",
+        also=f"preset panels {layout.id} {layout.also}".rstrip(),
     )
 
 
