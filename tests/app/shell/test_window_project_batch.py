@@ -11,6 +11,7 @@ from app.features.project import batch_process
 from app.features.project import controller as project_controller
 from app.features.project.batch_dialog import BatchDialog
 from app.features.project.batch_process import BatchProcess, BatchWish, command_of
+from app.features.project.list_model import STATE
 from app.features.project.scene import Mood
 from tests.batch.walks import make_walk
 from tests.project.projects import ReaderHere
@@ -96,7 +97,7 @@ def test_a_batch_of_another_program_is_watched_and_stopped(window, qtbot, folder
         page = window.project_page
         qtbot.waitUntil(page.batch.isVisible)
         assert page.batch._text.text() == "Batch: 2 of 4 recordings, 1 failed"
-        qtbot.waitUntil(lambda: page.row_named("a").cells[5] == "Tracking 25%")
+        qtbot.waitUntil(lambda: page.row_named("a").cells[STATE - 1] == "Tracking 25%")
         page.cancel_asked.emit()
         assert (out / STOP).exists()
         told.close()
@@ -112,15 +113,15 @@ def test_recordings_that_wait_for_a_batch_show_that_and_no_failure_of_before(win
         ledger.commit()
         _open_project(window, qtbot, folder)
         page = window.project_page
-        assert [page.row_named(name).cells[5] for name in "ab"] == ["Failed", "Failed"]
+        assert [page.row_named(name).cells[STATE - 1] for name in "ab"] == ["Failed", "Failed"]
         told = StateFile(out, {"a": folder / "a"}, Listener())
         told.began(BatchState(2, left={"a": None}))
-        qtbot.waitUntil(lambda: page.row_named("a").cells[5] == "Waiting")
+        qtbot.waitUntil(lambda: page.row_named("a").cells[STATE - 1] == "Waiting")
         row = page.row_named("a")
         assert (row.mood, row.detail) == (Mood.QUIET, "no session")
-        assert page.row_named("b").cells[5] == "Failed"
+        assert page.row_named("b").cells[STATE - 1] == "Failed"
         told.close()
-    qtbot.waitUntil(lambda: page.row_named("a").cells[5] == "Failed")
+    qtbot.waitUntil(lambda: page.row_named("a").cells[STATE - 1] == "Failed")
 
 
 def test_a_window_that_closes_asks_what_becomes_of_its_batch(window, qtbot, folder, monkeypatch):
