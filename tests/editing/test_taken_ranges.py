@@ -24,9 +24,7 @@ def two() -> tuple[TrackTable, TrackTable]:
 def test_their_rows_of_the_range_stand_in_place_of_ours_under_our_id(two) -> None:
     ours, theirs = two
     was = ours.columns()
-    change = plan_take_range(
-        ours, {1: theirs.of_track(1), 7: theirs.of_track(2)}, 3, 6, "their.h5"
-    )
+    change = plan_take_range(ours, {1: theirs.of_track(1), 7: theirs.of_track(2)}, 3, 6, "their.h5")
     assert str(change.text) == "Take 1 and 7 in frames 3 to 5 from their.h5"
     apply_change(ours, Labels(), change)
     lefts = ours.of_track(1)["left"].tolist()
