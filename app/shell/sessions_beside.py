@@ -21,7 +21,6 @@ from app.features.comparison.agreement import (
     compare_again,
     read_other,
 )
-
 from tracking.errors import TrackwrightError
 
 if TYPE_CHECKING:

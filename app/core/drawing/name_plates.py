@@ -11,14 +11,14 @@ from app.core.look.theme import Theme, faded, ink_on
 
 PAD_PX = 10.0
 """Of a plate: what its sides leave empty, in all."""
-_MOST_LETTERS = 16
-"""Of a name on a plate, in average letters: a long one would hide other people."""
+_MOST_LETTERS, _MOST_WHOLE = 16, 40
+"""Of a name on a plate, in average letters: a long one would hide others; where it hides nobody."""
 _NOTE_FLAGS = Qt.AlignmentFlag.AlignCenter | Qt.TextFlag.TextWordWrap
 
 
-def plate_text(metrics: QFontMetricsF, name: str) -> str:
-    """As much of a name as stands on a plate."""
-    room = _MOST_LETTERS * metrics.averageCharWidth()
+def plate_text(metrics: QFontMetricsF, name: str, *, alone: bool = False) -> str:
+    """As much of a name as stands on a plate. alone: where nothing else needs the place."""
+    room = (_MOST_WHOLE if alone else _MOST_LETTERS) * metrics.averageCharWidth()
     return metrics.elidedText(name, Qt.TextElideMode.ElideRight, room)
 
 

@@ -19,6 +19,8 @@ _GAP_PX = 3.0
 _HEAD = 0.2
 """Of a box, from its upper edge down."""
 _SMALL_PAD_PX = 5.0
+_SHORTENED = 2
+"""Texts of a name that is short: itself and the number; a long one is shortened between."""
 _EDGE_PX = 2.0
 """So near the picture's upper edge a box has no head in it."""
 
@@ -151,10 +153,13 @@ class BoxNamePainter:
     def _name(self, number: int, over: int) -> Name:
         crowd, one = self._crowd, self._crowd.people[number]
         sizes = slice(len(one.texts))
+        shut, crowded = crowd.shut[number, sizes], crowd.crowded[number, sizes]
+        if len(one.texts) > _SHORTENED:  # whole it stands only where it hides nobody
+            shut = np.concatenate((shut[:1] | crowded[:1], shut[1:]))
         return Name(
             crowd.sides[number, sizes],
-            crowd.shut[number, sizes],
-            crowd.crowded[number, sizes],
+            shut,
+            crowded,
             usual=self._sides.get(one.mark.track, 0),
             must=one.mark.selected or one.mark.track == over,
         )
@@ -188,8 +193,8 @@ def _barred(
 
 def _person(mark: PersonMark, viewport: Viewport, metrics: QFontMetricsF, small: bool) -> _Person:
     box = viewport.rect(QRectF(*mark.box))
-    whole, number = plate_text(metrics, mark.label), str(mark.track)
-    texts = (whole,) if whole == number else (whole, number)
+    whole = plate_text(metrics, mark.label, alone=True)
+    texts = tuple(dict.fromkeys((whole, plate_text(metrics, mark.label), str(mark.track))))
     pad = _SMALL_PAD_PX if small else PAD_PX
     sizes = plate_sizes(metrics, texts, pad)
     return _Person(mark, np.array(box.getCoords()), texts, sizes)
@@ -198,11 +203,11 @@ def _person(mark: PersonMark, viewport: Viewport, metrics: QFontMetricsF, small:
 def _sides(people: Sequence[_Person]) -> Floats:
     """(n, sizes, 8, 4) left, top, right, bottom of plates, best sides first, the last in the box.
 
-    Who has one size only, where others have two, has it twice.
+    Who has fewer sizes than others has the first ones again.
     """
     left, top, right, bottom = np.array([one.box for one in people]).T[:, :, None]
     most = max(len(one.sizes) for one in people)
-    sizes = np.array([(*one.sizes, *one.sizes)[:most] for one in people])
+    sizes = np.array([(most * tuple(one.sizes))[:most] for one in people])
     width, height = sizes[..., 0], sizes[..., 1]
     above, below, inside = top - _GAP_PX - height, bottom + _GAP_PX, bottom - height
     before, behind, flush = left - _GAP_PX - width, right + _GAP_PX, right - width + 1

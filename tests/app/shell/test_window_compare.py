@@ -77,10 +77,8 @@ def test_after_an_edit_it_can_be_compared_again(window, controller, compared, an
     assert compared._again.isHidden()
 
 
-def test_theirs_is_taken_of_one_disagreement_as_one_edit(
-    window, controller, compared, anns, qtbot
-):
-    _, a, b = anns
+def test_theirs_is_taken_of_one_disagreement_as_one_edit(window, controller, compared, anns, qtbot):
+    _, _, b = anns
     session = controller.document.session
     assert not compared._theirs.isEnabled()
     rows = [(row.frame, row.track) for row in compared._model.rows]

@@ -235,3 +235,10 @@ def test_a_name_makes_way_for_a_message_about_the_same_people(view, plates):
     view.show_scene(replace(view._scene, message="Frame 128 of this camera: the same instant"))
     view.grab()
     assert not drawn
+
+
+def test_a_long_name_is_whole_where_it_hides_nobody_and_shortened_among_others(plates):
+    name, box = "10 Brown jumper, umbrella", (100, 100, 30, 60)
+    assert name in plates(person(10, box, label=name))
+    row = [person(number, (x, 40, 10, 190)) for number, x in enumerate(range(20, 300, 14), 20)]
+    assert name not in plates(person(10, box, label=name), *row)
