@@ -6,7 +6,7 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QLocale, QPointF
+from PySide6.QtCore import QCoreApplication, QEvent, QLocale, QPointF, QRect
 from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QLabel
 
 from app.core.widgets.user_settings import UserSettings
@@ -15,6 +15,7 @@ from app.shell import language_choice
 from app.shell.application import start_application
 from app.shell.language_choice import chosen_language, name_of_language, why_unreadable
 from app.shell.main_window import MainWindow
+from app.shell.panel_docks import Dock
 from app.shell.shutdown_signals import take_down
 from app.shell.window_host import WindowHost
 from tracking.translation import language_in_use, use_catalogue
@@ -151,6 +152,19 @@ def test_panels_layout_and_zooms_stay(opened, qtbot) -> None:
     assert new.workspace.left.zoomed_to.scale == pytest.approx(seen.scale, rel=0.05)
     now = new.workspace.timeline.area.stretch.axis
     assert (now.start, now.frames) == pytest.approx((axis.start, axis.frames))
+
+
+def test_a_panel_in_a_window_of_its_own_stays_where_it_stood_above_its_window(opened, qtbot):
+    window = opened.window
+    window.workspace.docks.move("history", Dock.WINDOW)
+    own = window.workspace.docks.panels["history"].window()
+    place = QRect(window.screen().availableGeometry().right() - 260, 90, 250, 300)
+    own.setGeometry(place)
+    change(opened, qtbot)
+    own = opened.window.workspace.docks.panels["history"].window()
+    assert own.isVisible()
+    assert own.geometry().topLeft() == place.topLeft()
+    assert own.windowHandle().transientParent() is opened.window.windowHandle()
 
 
 def test_the_place_in_the_review_queue_stays(opened, qtbot) -> None:
