@@ -166,7 +166,9 @@ class RecordingController(Controller):
     @property
     def work_text(self) -> str:
         """What the digit keys set, and how fast the work goes; "" for neither."""
-        said = self.describing.armed_text, self.annotating.meter.text()
+        session = self.document.session
+        history = None if session is None else session.history
+        said = self.describing.armed_text, self.annotating.meter.text(history)
         return "  \u00b7  ".join(filter(None, said))
 
     def end(self) -> None:

@@ -51,8 +51,8 @@ class EditedItems:
     def _corrected(self, history: History) -> frozenset[ReviewItemKey]:
         found = (
             self._item_of.get(entry.id)
-            for entry in history
-            if not entry.undone and is_correction(entry.kind)
+            for entry in history.in_force
+            if is_correction(entry.kind)
         )
         return frozenset(key for key in found if key is not None)
 

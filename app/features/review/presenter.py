@@ -10,6 +10,7 @@ from app.core.colours.track_colours import ColourOf
 from app.core.i18n import N_, count_text, time_text, tr
 from app.core.scenes import MarkKind, TimelineMark
 from app.core.scenes.queue_rows import ReviewPerson, ReviewRow
+from app.features.review.reopened_items import count_reopened
 from app.features.review.scene import Order, ReviewKind
 from tracking.editing import Change, plan_verdict, with_verdict
 from tracking.review import (
@@ -101,6 +102,8 @@ class ReviewQueue:
     Attributes:
         kind: the one that is listed, "" for all. order: of the list.
         records: what came of the decided items, by kind. figures: how far the queue is.
+        reopened: how many that were decided were found in another shape by the last search, and
+            so are open again.
     """
 
     def __init__(self, fps: float, colour_of: ColourOf) -> None:
@@ -113,6 +116,7 @@ class ReviewQueue:
         self._corrected: frozenset[ReviewItemKey] = frozenset()
         self.records: Mapping[str, KindRecord] = {}
         self.figures = QueueFigures()
+        self.reopened = 0
         self._open: tuple[ReviewItem, ...] = ()
         self._shown: tuple[ReviewItem, ...] = ()
         self._current: ReviewItemKey | None = None
@@ -157,7 +161,11 @@ class ReviewQueue:
         self._table = table
         self._stated |= {one.key: one.likelihood for one in found}
         self.records = {}
+        decided, known = self.figures.decided, self._open
         self.take_labels(labels)
+        self.reopened = count_reopened(
+            (decided, known), (self.figures.decided, self._open), self._fps
+        )
         if self._returns_to is not None:
             self.return_to(self._returns_to)
             self._returns_to = None

@@ -33,7 +33,7 @@ def _said(figures: QueueFigures, session: Session) -> str:
     left = errors_left(figures.stated_left, figures.outcome, figures.stated * (1.0 - share))
     decided = len(figures.decided)
     reviewed = tr(
-        "Reviewed: {share:.0%} of the footage, {decided} of {found} items.",
+        "Reviewed: {share:.0%} of the footage; {decided} of {found} items decided or reviewed.",
         share=share,
         decided=decided,
         found=figures.found,

@@ -42,7 +42,7 @@ class MeterWords:
         if not (decided or corrected):
             return ""
         words = [
-            tr("{n:.1f} min watched", n=minutes),
+            tr("Since it was opened: {n:.1f} min watched", n=minutes),
             count_text(decided, "{n} decided", "{n} decided"),
             count_text(corrected, "{n} corrected", "{n} corrected"),
         ]
@@ -59,7 +59,7 @@ class MeterWords:
 
 
 def _corrections(history: History) -> int:
-    return sum(not entry.undone and is_correction(entry.kind) for entry in history)
+    return sum(is_correction(entry.kind) for entry in history.in_force)
 
 
 def is_correction(kind: str) -> bool:

@@ -9,6 +9,7 @@ import pytest
 from PySide6.QtCore import QCoreApplication, QEvent, QLocale, QPointF, QRect
 from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QLabel
 
+from app.core.jobs.job_list import JobState
 from app.core.widgets.user_settings import UserSettings
 from app.features.review.scene import Order
 from app.shell import language_choice
@@ -165,6 +166,13 @@ def test_a_panel_in_a_window_of_its_own_stays_where_it_stood_above_its_window(op
     assert own.isVisible()
     assert own.geometry().topLeft() == place.topLeft()
     assert own.windowHandle().transientParent() is opened.window.windowHandle()
+
+
+def test_what_ended_stands_in_the_list_of_jobs_still(opened, qtbot, tmp_path):
+    jobs = opened.window.work.jobs
+    jobs.end(jobs.begin("Batch of recordings"), JobState.DONE, place=tmp_path)
+    change(opened, qtbot)
+    assert "Batch of recordings" in [one.title for one in opened.window.work.jobs.lines]
 
 
 def test_the_place_in_the_review_queue_stays(opened, qtbot) -> None:
