@@ -375,4 +375,6 @@ class Files(Controller):
     def welcome_scene(self) -> WelcomeScene:
         """The first page: what was opened before, and what a crash left behind."""
         remembered = self._remembered
-        return first_page({path: remembered.recent_name(path) for path in remembered.recent})
+        recent = remembered.recent
+        projects = [path for path in recent if remembered.is_recent_project(path)]
+        return first_page({path: remembered.recent_name(path) for path in recent}, projects)

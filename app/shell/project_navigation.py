@@ -97,7 +97,7 @@ class ProjectNavigation(Controller):
         self._window.notice.hide()
         files.close()
         self.project.open(folder, files.author.name)
-        self._window.remembered.add_recent(folder.resolve(), self.name)
+        self._window.remembered.add_recent(folder.resolve(), self.name, project=True)
         self._window.show_start()
 
     def ask_batch(self) -> None:

@@ -58,19 +58,26 @@ class UserSettings:
         folders = (path.parent for path in self.recent)
         return next((folder for folder in folders if folder.is_dir()), None)
 
-    def add_recent(self, path: Path, name: str = "") -> None:
-        """Put a path in front. name: of its recording."""
+    def add_recent(self, path: Path, name: str = "", *, project: bool = False) -> None:
+        """Put a path in front. name: of its recording, or of the folder of a `project`."""
         others = [one for one in self.recent if one != path]
         kept = [str(one) for one in [path, *others][:_RECENT]]
         self._settings.setValue("recent", kept)
         names = {**self._read("recent names"), str(path): name}
         known = {text: names[text] for text in kept if text in names}
         self._settings.setValue("recent names", json.dumps(known))
+        kinds = {**self._read("recent projects"), str(path): project}
+        projects = {text: True for text in kept if kinds.get(text)}
+        self._settings.setValue("recent projects", json.dumps(projects))
 
     def recent_name(self, path: Path) -> str:
         """What the recording of something opened before is called; "" where that is not known."""
         name = self._read("recent names").get(str(path), "")
         return name if isinstance(name, str) else ""
+
+    def is_recent_project(self, path: Path) -> bool:
+        """Whether something opened before was opened as a project."""
+        return self._read("recent projects").get(str(path)) is True
 
     def last_folder(self, kind: str) -> LastFolder:
         """Where files of a kind, "session" say, were chosen last."""

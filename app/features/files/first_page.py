@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from datetime import datetime
 from pathlib import Path
 
@@ -12,18 +12,20 @@ from app.core.i18n import date_text, tr
 from app.core.scenes import RecentItem, WelcomeScene
 
 
-def first_page(recent: Mapping[Path, str]) -> WelcomeScene:
+def first_page(recent: Mapping[Path, str], projects: Collection[Path] = ()) -> WelcomeScene:
     """Sessions that were never saved come first: nobody else would find them again.
 
     Args:
         recent: what was opened, the latest first, with the name of its recording; "": not known.
+        projects: those of them that are folders of projects.
     """
     folder = unsaved_folder()
     left = sorted(folder.glob("*.h5")) if folder.is_dir() else []
     titles = Counter(_title(path, name) for path, name in recent.items())
     never_saved = [_item(path, path.stem, tr("never saved, kept for you")) for path in left]
     opened = (
-        _item(path, _told_apart(path, name, titles), _kind(path)) for path, name in recent.items()
+        _item(path, _told_apart(path, name, titles), _kind(path, path in projects))
+        for path, name in recent.items()
     )
     return WelcomeScene((*never_saved, *opened))
 
@@ -41,7 +43,9 @@ def _told_apart(path: Path, name: str, titles: Counter[str]) -> str:
     return f"{title} \u2013 {own}"
 
 
-def _kind(path: Path) -> str:
+def _kind(path: Path, is_project: bool) -> str:
+    if is_project:
+        return tr("project")
     return tr("session") if path.suffix.lower() == ".h5" else tr("recording")
 
 
