@@ -56,7 +56,7 @@ class CommandRegistry(Generic[AppT]):
         app, document = self._app, self._app.document
         why_not, note = command.enabled(app), command.note(app)
         one_camera = document is not None and not document.recording.is_stereo
-        english = one_camera and command.title_one_camera or command.title
+        english = (one_camera and command.title_one_camera) or command.title
         title = tr(english)
         menu, submenu = menu_of(command)
         return CommandItem(

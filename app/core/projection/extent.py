@@ -42,7 +42,10 @@ def extent(rows: Columns, reach: float) -> Bounds | None:
     share = (1.0 - _MOST_SHARE) / 2
     first, last = np.quantile(xy, (share, 1.0 - share), axis=0)
     beyond = np.maximum(_BEYOND * (last - first), _BEYOND_M)
-    low, high = np.maximum(xy.min(axis=0), first - beyond), np.minimum(xy.max(axis=0), last + beyond)
+    low, high = (
+        np.maximum(xy.min(axis=0), first - beyond),
+        np.minimum(xy.max(axis=0), last + beyond),
+    )
     return _whole_metres(low, high)
 
 

@@ -74,9 +74,7 @@ class NoticeBar(QFrame):
             row.addWidget(button)
         self.hide()
 
-    def stand_over(
-        self, page: QWidget, line: QStatusBar, progress: QWidget, last: QWidget
-    ) -> None:
+    def stand_over(self, page: QWidget, line: QStatusBar, progress: QWidget, last: QWidget) -> None:
         """Lie over the lower edge of a window from now on, as wide as its page: people are above.
 
         Words on the line below the page, and progress there, stay to be seen, and so does what

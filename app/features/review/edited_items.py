@@ -50,9 +50,7 @@ class EditedItems:
 
     def _corrected(self, history: History) -> frozenset[ReviewItemKey]:
         found = (
-            self._item_of.get(entry.id)
-            for entry in history.in_force
-            if is_correction(entry.kind)
+            self._item_of.get(entry.id) for entry in history.in_force if is_correction(entry.kind)
         )
         return frozenset(key for key in found if key is not None)
 

@@ -25,6 +25,8 @@ _COLUMNS, _MOST_GROUPS = 4, 3
 _WIDEST, _WIDEST_MOVE = "100.0%", "\u25b2 +88.888"
 _PAD_PX, _TIGHT_PAD_PX = 28, 22
 """Beside a figure; tight where several stand side by side."""
+_CELL_PX = 20
+"""Around the words of a cell: with less they end in an ellipsis."""
 
 
 class FiguresTable(QTableWidget):
@@ -79,7 +81,7 @@ class FiguresTable(QTableWidget):
         around, line = self.horizontalHeader().sizeHint().height() + 2, self._line
         self.setMinimumHeight(around + line * math.ceil(figures / _MOST_GROUPS))
         fitting = max(1, (self.height() - around) // line)
-        groups = min(_MOST_GROUPS, max(1, math.ceil(figures / fitting)))
+        groups = min(self._most_groups, max(1, math.ceil(figures / fitting)))
         lines = math.ceil(figures / groups)
         if (groups, lines) == (self.groups, self.rowCount()):
             return False
@@ -88,6 +90,21 @@ class FiguresTable(QTableWidget):
         self.setRowCount(lines)
         self._title()
         return True
+
+    @property
+    def _most_groups(self) -> int:
+        """As many as have room for whole names and one figure each; the rest is scrolled to."""
+        rows = self._scene.rows if self._scene is not None else ()
+        figure = self.fontMetrics().horizontalAdvance(_WIDEST) + _TIGHT_PAD_PX
+        each = self._names_px(rows, short=True) - _TIGHT_PAD_PX + _CELL_PX + figure
+        if _MOST_GROUPS * each <= self.contentsRect().width():  # then no scroll bar is there
+            return _MOST_GROUPS
+        return min(_MOST_GROUPS - 1, max(1, self.viewport().width() // max(each, 1)))
+
+    def _names_px(self, rows: Sequence[ScoreRow], *, short: bool) -> int:
+        letters = self.fontMetrics().horizontalAdvance
+        names = ((short and row.short) or row.name for row in rows)
+        return max(map(letters, names), default=0) + _TIGHT_PAD_PX
 
     def _title(self) -> None:
         """Titles and widths of the columns."""
@@ -147,14 +164,11 @@ class FiguresTable(QTableWidget):
         return QSize(width, super().sizeHint().height())
 
     def _give_names_room(self, rows: Sequence[ScoreRow]) -> None:
-        """Figures side by side: rather no arrows, then no frames shown, than cut names.
+        """Where there is little room: rather no arrows, then no frames shown, than cut names.
 
         Tooltips tell both.
         """
-        if self.groups == 1:
-            return
-        letters = self.fontMetrics().horizontalAdvance
-        names = max((letters(row.short or row.name) for row in rows), default=0) + _TIGHT_PAD_PX
+        names = self._names_px(rows, short=self.groups > 1)
         each = self.viewport().width() // self.groups
         left_out = {2} if self.groups == _MOST_GROUPS else set()
         for part in (3, 2):

@@ -56,7 +56,9 @@ def test_what_can_be_done_now_comes_before_what_cannot_and_matches_as_well():
 def test_a_title_comes_before_further_words_and_is_found_in_english_too():
     also = "language English Japanese"
     ja = CommandItem("ja", "表示", "言語: 日本語", (), True, also=also, english="Language: 日本語")
-    en = CommandItem("en", "表示", "言語: English", (), True, also=also, english="Language: English")
+    en = CommandItem(
+        "en", "表示", "言語: English", (), True, also=also, english="Language: English"
+    )
     reset = CommandItem("view.reset", "表示", "配置を戻す", (), True, english="Reset layout")
     assert best_commands("English", (ja, reset, en)) == [en, ja]
     assert best_commands("reset lay", (ja, reset, en)) == [reset]

@@ -302,9 +302,9 @@ def test_the_panel_tells_how_far_the_review_is_and_what_risk_is_left(
 ):
     meter, queue = window.workspace.review._meter, controller.reviewing.queue
     begun = meter.text()
-    assert begun.startswith((
+    assert begun.startswith(
         f"Reviewed: 0% of the footage; 0 of {len(queue.open)} items decided or reviewed."
-    ))
+    )
     assert re.search(r"About \d+ errors? left \(likely \d+ to \d+\)", begun)
     press(Key.Key_N)
     press(Key.Key_Z)
