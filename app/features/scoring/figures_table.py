@@ -25,8 +25,6 @@ _COLUMNS, _MOST_GROUPS = 4, 3
 _WIDEST, _WIDEST_MOVE = "100.0%", "\u25b2 +88.888"
 _PAD_PX, _TIGHT_PAD_PX = 28, 22
 """Beside a figure; tight where several stand side by side."""
-_CELL_PX = 20
-"""Around the words of a cell: with less they end in an ellipsis."""
 
 
 class FiguresTable(QTableWidget):
@@ -81,7 +79,7 @@ class FiguresTable(QTableWidget):
         around, line = self.horizontalHeader().sizeHint().height() + 2, self._line
         self.setMinimumHeight(around + line * math.ceil(figures / _MOST_GROUPS))
         fitting = max(1, (self.height() - around) // line)
-        groups = min(self._most_groups, max(1, math.ceil(figures / fitting)))
+        groups = min(_MOST_GROUPS, max(1, math.ceil(figures / fitting)))
         lines = math.ceil(figures / groups)
         if (groups, lines) == (self.groups, self.rowCount()):
             return False
@@ -90,21 +88,6 @@ class FiguresTable(QTableWidget):
         self.setRowCount(lines)
         self._title()
         return True
-
-    @property
-    def _most_groups(self) -> int:
-        """As many as have room for whole names and one figure each; the rest is scrolled to."""
-        rows = self._scene.rows if self._scene is not None else ()
-        figure = self.fontMetrics().horizontalAdvance(_WIDEST) + _TIGHT_PAD_PX
-        each = self._names_px(rows, short=True) - _TIGHT_PAD_PX + _CELL_PX + figure
-        if _MOST_GROUPS * each <= self.contentsRect().width():  # then no scroll bar is there
-            return _MOST_GROUPS
-        return min(_MOST_GROUPS - 1, max(1, self.viewport().width() // max(each, 1)))
-
-    def _names_px(self, rows: Sequence[ScoreRow], *, short: bool) -> int:
-        letters = self.fontMetrics().horizontalAdvance
-        names = ((short and row.short) or row.name for row in rows)
-        return max(map(letters, names), default=0) + _TIGHT_PAD_PX
 
     def _title(self) -> None:
         """Titles and widths of the columns."""
@@ -168,7 +151,9 @@ class FiguresTable(QTableWidget):
 
         Tooltips tell both.
         """
-        names = self._names_px(rows, short=self.groups > 1)
+        letters, several = self.fontMetrics().horizontalAdvance, self.groups > 1
+        told = [(several and row.short) or row.name for row in rows]
+        names = max(map(letters, told), default=0) + _TIGHT_PAD_PX
         each = self.viewport().width() // self.groups
         left_out = {2} if self.groups == _MOST_GROUPS else set()
         for part in (3, 2):

@@ -77,16 +77,16 @@ def test_at_the_size_it_has_on_a_small_screen_all_eleven_figures_are_in_sight(
     assert {"People kept", "Position error (median)"} <= set(names[:5])
 
 
-@pytest.mark.parametrize("size", [(330, 300), (400, 200), (450, 225)])
-def test_figures_scroll_rather_than_lose_their_names(panel, qtbot, size):
+def test_in_a_narrow_panel_columns_go_before_names_are_cut(panel, qtbot):
     rows = tuple(
         replace(SCENE.rows[0], name=one.name, short=one.short, whole="100.0%") for one in FIGURES
     )
     panel.show_scene(replace(SCENE, rows=rows, moved=""))
-    panel.resize(*size)
+    panel.resize(330, 520)
     with qtbot.waitExposed(panel):
         panel.show()
     table = panel.table
+    assert table.groups == 1
     for line, column in product(range(table.rowCount()), range(0, table.columnCount(), 4)):
         item = table.item(line, column)
         if item is not None:
