@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QFrame,
     QScrollArea,
     QStackedWidget,
+    QStyle,
     QTabBar,
     QVBoxLayout,
     QWidget,
@@ -36,7 +37,7 @@ class _Page(QScrollArea):
         most = QSize(
             _MOST_LETTERS * letters.averageCharWidth(), _MOST_LINES * letters.lineSpacing()
         )
-        return self.needed.boundedTo(most)
+        return self.needed.boundedTo(most) + QSize(self._bar_px, 0)
 
     @property
     def needed(self) -> QSize:
@@ -44,8 +45,13 @@ class _Page(QScrollArea):
         return self.panel.minimumSizeHint().expandedTo(self.panel.minimumSize())
 
     def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
-        """The panel's."""
-        return self.panel.sizeHint()
+        """The panel's, beside a scroll bar: what is too high is not also too wide."""
+        return self.panel.sizeHint() + QSize(self._bar_px, 0)
+
+    @property
+    def _bar_px(self) -> int:
+        """How wide a scroll bar is."""
+        return self.style().pixelMetric(QStyle.PixelMetric.PM_ScrollBarExtent, None, self)
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
         """The panel needs another size by now."""

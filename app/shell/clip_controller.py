@@ -20,13 +20,16 @@ from app.features.files.export import refuse_to_lose
 from app.features.pictures.clip import ClipChoice, ClipSource
 from app.features.pictures.clip_dialog import ClipDialog, ClipOffer, ClipStretch
 from app.features.pictures.clip_file import clip_work
-from app.features.pictures.floor_picture import SCALE, write_floor
+from app.features.pictures.floor_picture import SCALE, legible, write_floor
 from app.shell.export_controller import beside
 from tracking.progress import Progress
 
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
     from app.shell.recording_controller import RecordingController
+
+_KEY = "clip"
+"""What a clip showed the last time is remembered by."""
 
 
 class ClipController(Controller):
@@ -42,7 +45,9 @@ class ClipController(Controller):
         controller = self._window.controller
         if controller is None or controller.document.session is None:
             return
-        dialog = ClipDialog(_offer(controller), self._window)
+        remembered = self._window.remembered
+        dialog = ClipDialog(_offer(controller), self._window, remembered.text(_KEY))
+        dialog.accepted.connect(lambda: remembered.set_text(_KEY, dialog.remembered))
         dialog.asked.connect(self._ask_place)
         dialog.finished.connect(dialog.deleteLater)
         dialog.open()
@@ -94,11 +99,11 @@ class ClipController(Controller):
         given = self._window.workspace.overhead.given(SCALE, kept=False)
         if given is None:
             return
-        theme = current_theme()
+        theme, shown = current_theme(), legible(given)
 
         def work(_: Progress) -> None:
             refuse_to_lose(path)
-            write_floor(given, theme, path)
+            write_floor(shown, theme, path)
 
         self._run(path, work)
 
@@ -124,13 +129,17 @@ def _offer(controller: RecordingController) -> ClipOffer:
 
 
 def _stretches(controller: RecordingController, person: str) -> list[ClipStretch]:
-    """The range that is set, the selected person's, the whole recording; those there are."""
+    """The range that is set, the review item's, the selected person's, all; those there are."""
     document, found = controller.document, []
     marked, track = document.correcting.marked, document.selection.track
     count = document.recording.frame_count
     if marked is not None:
         start, stop = max(0, marked[0]), min(count, marked[1])
         name = tr("The range: frames {first} to {last}", first=start, last=stop - 1)
+        found.append(ClipStretch(name, start, stop))
+    if (item := controller.reviewing.current) is not None:
+        start, stop = max(0, item.start), min(count, item.end)
+        name = tr("The review item: frames {first} to {last}", first=start, last=stop - 1)
         found.append(ClipStretch(name, start, stop))
     if track:
         frames = document.tracks.of_track(track)["frame"]

@@ -51,17 +51,20 @@ def best_commands(typed: str, items: tuple[CommandItem, ...]) -> list[CommandIte
 
     What is written as typed, at the start of words or within them, leaves out what is only spelled
     by the beginnings of its words ("dfh" for "Delete from here"). Among those that match alike,
-    what can be done now comes first.
+    titles, of this language or English, come before menus and further words; then what can be
+    done now.
     """
     if not typed.strip():
         return list(items)
-    found: list[tuple[tuple[int, bool, float], CommandItem]] = []
+    found: list[tuple[tuple[int, bool, bool, float], CommandItem]] = []
     for item in items:
-        text = f"{item.title} {item.menu} {item.also}".rstrip()
+        titles = {item.title, item.english or item.title}
+        text = f"{' '.join(sorted(titles))} {item.menu} {item.also}".rstrip()
         likeness = _likeness(typed, text)
         if likeness is not None:
+            titled = any(_likeness(typed, title) == likeness for title in titles)
             score = match_score(typed, text) or 0.0
-            found.append(((-likeness, not item.enabled, -score), item))
+            found.append(((-likeness, not titled, not item.enabled, -score), item))
     found.sort(key=lambda pair: pair[0])
     written = any(-rank[0] > _SPELLED for rank, _ in found)
     kept = [item for rank, item in found if -rank[0] > _SPELLED or not written]

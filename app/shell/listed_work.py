@@ -20,8 +20,13 @@ class ListedWork:
         self._jobs = jobs
         self._tracking = self._batch = 0
 
-    def take_tracking(self, live: LiveTracking | None, drop: Callable[[], object]) -> None:
-        """How far the tracker is, where one is at work; `drop` ends it."""
+    def take_tracking(
+        self,
+        live: LiveTracking | None,
+        drop: Callable[[], object],
+        keep: Callable[[], object] | None,
+    ) -> None:
+        """How far the tracker is, where one is at work; `drop` ends it, `keep` with its result."""
         if live is None or not live.running:
             kept = live is not None and live.run_summary is not None
             state = JobState.DONE if kept else JobState.STOPPED
@@ -30,7 +35,7 @@ class ListedWork:
         if not self._tracking:
             title = tr("Tracking with {tracker}", tracker=live.tracker)
             self._tracking = self._jobs.begin(title, drop)
-        self._jobs.show(self._tracking, live.share, live.seconds_left)
+        self._jobs.show(self._tracking, live.share, live.seconds_left, keep)
 
     def take_batch(self, batches: BatchWatch) -> None:
         """How far a project's batch is, where one is at work."""

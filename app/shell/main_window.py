@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
 
@@ -109,7 +110,7 @@ class MainWindow(QMainWindow):
         self.statusBar().addPermanentWidget(self.jobs_button)
         least = max(self.statusBar().sizeHint().height(), self.notice.least_height)
         self.statusBar().setMinimumHeight(least)
-        self.notice.stand_over(centre, self.statusBar(), self.progress)
+        self.notice.stand_over(centre, self.statusBar(), self.progress, self.jobs_button)
         self.workspace.messages = (self.notice,)
         self._search = search = QPushButton(self)
         search.setProperty("search", True)
@@ -246,17 +247,17 @@ class MainWindow(QMainWindow):
     def _show_progress(self) -> None:
         """Show how far the tracker at work is; other work shows itself."""
         live = self.controller.live if self.controller is not None else None
-        self.listed.take_tracking(live, self._drop_tracking)
+        found = self.files.tracker_found_some
+        keep = partial(self.run_command, "tracks.stop") if found else None
+        self.listed.take_tracking(live, self._drop_tracking, keep)
         if (batches := self.files.projects.batches) is not None:
             self.listed.take_batch(batches)
         if self.work.busy:
             return
         if live is not None and live.running:
             text = tr("Tracking with {tracker}: {status}", tracker=live.tracker, status=live.status)
-            left, found = live.seconds_left, self.files.tracker_found_some
-            self.progress.show_scene(
-                text, live.share, left, stoppable=found, stopping=live.stopping
-            )
+            left, stops = live.seconds_left, live.stopping
+            self.progress.show_scene(text, live.share, left, stoppable=found, stopping=stops)
         else:
             self.progress.finish()
 

@@ -82,7 +82,8 @@ class PanelDocks(QObject):
         self._docked: dict[str, Dock] = {}
         self._stands: dict[str, Dock] = {}
         self._windows: dict[str, PanelWindow] = {}
-        self._side, self._below = side, below
+        self._side, self._below, self._page = side, below, parent
+        parent.installEventFilter(self)
         for name, panel in self.panels.items():
             panel.installEventFilter(self)
             _add_menu(panel, partial(self._fill_menu, name))
@@ -160,15 +161,23 @@ class PanelDocks(QObject):
                 keep_on_screen(self._windows[name])
 
     def eventFilter(self, watched: QObject, event: QEvent) -> bool:  # noqa: N802 - Qt's name
-        """A window is there while its panel is open."""
+        """A window is there while its panel is open, and the page that the panels belong to."""
         kinds = (QEvent.Type.ShowToParent, QEvent.Type.HideToParent)
-        if event.type() in kinds:
+        if watched is self._page:
+            if event.type() in (QEvent.Type.Show, QEvent.Type.HideToParent):
+                for name in self._windows:
+                    self._show_window(name)
+        elif event.type() in kinds:
             name = next((name for name, panel in self.panels.items() if panel is watched), "")
             if name in self._windows:
-                self._windows[name].setVisible(self.is_open(name))
+                self._show_window(name)
             if name:
                 self.changed.emit()
         return super().eventFilter(watched, event)
+
+    def _show_window(self, name: str) -> None:
+        """Show or hide it; one shown before the window it belongs to would lie behind that."""
+        self._windows[name].setVisible(self.is_open(name) and self._page.isVisible())
 
     def _put(self, name: str, dock: Dock) -> None:
         panel, was_open = self.panels[name], self.is_open(name)
@@ -188,7 +197,7 @@ class PanelDocks(QObject):
         if dock is Dock.BELOW:
             self._below.add(panel)
         if dock is Dock.WINDOW:
-            self._windows[name].setVisible(was_open)
+            self._show_window(name)
 
     def _take_out(self, name: str) -> None:
         if self._stands.get(name) is Dock.BELOW:

@@ -166,8 +166,9 @@ class RecordingController(Controller):
     @property
     def work_text(self) -> str:
         """What the digit keys set, how edits are done, how fast the work goes; "" for none."""
-        at_once = self.annotating.at_once_text
-        said = self.describing.armed_text, at_once, self.annotating.meter.text()
+        session, at_once = self.document.session, self.annotating.at_once_text
+        history = None if session is None else session.history
+        said = self.describing.armed_text, at_once, self.annotating.meter.text(history)
         return "  \u00b7  ".join(filter(None, said))
 
     def end(self) -> None:

@@ -20,11 +20,19 @@ def fit_to_screen(window: QWidget, wanted: QSize) -> None:
 
 
 def keep_on_screen(window: QWidget) -> None:
-    """Make a window smaller where it is larger than its screen; otherwise leave it where it is."""
+    """Make a window smaller where it is larger than its screen; move it no farther than needed."""
     room = window.screen().availableGeometry().marginsRemoved(_frame_of(window))
     if window.isMaximized() or window.isFullScreen() or room.contains(window.geometry()):
         return
-    fit_to_screen(window, window.size())
+    window.setGeometry(moved_inside(room, window.geometry()))
+
+
+def moved_inside(room: QRect, wanted: QRect) -> QRect:
+    """A rectangle no larger than a room, and inside of it, as near as can be to where it was."""
+    size = wanted.size().boundedTo(room.size())
+    left = min(max(wanted.left(), room.left()), room.right() + 1 - size.width())
+    top = min(max(wanted.top(), room.top()), room.bottom() + 1 - size.height())
+    return QRect(QPoint(left, top), size)
 
 
 def fitted(room: QRect, wanted: QSize, frame: QMargins) -> QRect:

@@ -30,11 +30,13 @@ class WindowHost(QObject):
     def build_again(self) -> None:
         """Build the window in the language that was chosen; nothing is closed, nothing asked."""
         old = self.window
+        jobs = old.work.jobs.lines
         project = old.files.projects.folder
         old.remember_layout()
         work = hand_over(old)
         show_language(self._application, self._remembered)
         self.window = new = self._built()
+        new.work.jobs.take_over(jobs)
         if project is not None:
             new.files.projects.project.open(project, new.files.author.name)
         if work is not None:

@@ -137,6 +137,15 @@ def test_proposals_are_ranked_and_lie_apart() -> None:
     assert min(np.diff(frames)) > 10
 
 
+def test_each_proposal_says_once_how_far_apart_they_were_and_when() -> None:
+    a, b = ways((1.2, 0.0), (-1.2, 0.0), 0.6)
+    b[100:] += (0.0, 3.0)
+    found = propose_swap_frames(table_of_ways(a, b), 1, 2, near=100, flagged=(100, 101))[0]
+    assert found.apart_m == pytest.approx(0.6, abs=0.3)
+    assert f"{found.apart_m:.1f} m apart just before" in found.text
+    assert found.text.count(" m apart") == 1
+
+
 def test_a_swap_far_from_where_the_user_looks_is_found_when_they_did_not_meet_there() -> None:
     count = 12_000
     time_s = (np.arange(count) - 300) / FPS

@@ -17,6 +17,7 @@ from tracking.editing import plan_mark_reviewed
 from tracking.project import Project, next_to_review
 from tracking.recording import open_recording
 from tracking.session import Session
+from tracking.synthesis.video import CLIP_COMMENT, VideoWriter
 
 
 @pytest.fixture(scope="module")
@@ -54,6 +55,19 @@ def test_the_list_says_what_is_known_of_each(project: Project) -> None:
     for row in found.rows:
         image = cv2.imdecode(np.frombuffer(project.image(row), np.uint8), cv2.IMREAD_COLOR)
         assert image is not None
+
+
+def test_a_clip_that_was_exported_beside_them_is_no_recording(
+    project: Project, folder: Path
+) -> None:
+    for name, comment in (("clip.mp4", CLIP_COMMENT), ("other.mp4", "")):
+        with VideoWriter(folder / name, (64, 48), 10.0, comment) as writer:
+            for _ in range(12):
+                writer.write(np.full((48, 64, 3), 90, np.uint8))
+    found, _ = read_all(project)
+    names = set(rows_of(found))
+    assert "other.mp4" in names
+    assert "clip.mp4" not in names
 
 
 def test_what_did_not_change_is_not_read_again(project: Project, folder: Path) -> None:

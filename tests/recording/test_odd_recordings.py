@@ -129,6 +129,15 @@ def test_a_rate_that_differs_from_the_streams_counts_and_is_told(tmp_path: Path)
         assert any("shade means nothing" in note for note in recording.notes)
 
 
+def test_a_rate_that_differs_a_little_counts_for_every_frame(tmp_path: Path) -> None:
+    """Long enough for the two clocks to be more than half a frame apart."""
+    write_video(tmp_path / "v.mp4", range(120))
+    (tmp_path / "recording.toml").write_text('fps = 25.167\n[left]\nsource = "v.mp4"\n')
+    with open_recording(tmp_path) as recording:
+        assert recording.uneven_times_s is None
+        assert recording.time_s(100) == pytest.approx(100 / 25.167)
+
+
 def test_uneven_frames_keep_the_times_of_the_stream(tmp_path: Path) -> None:
     times = [0, 100, 200, 900, 1000, 1100]
     write_video(tmp_path / "v.mp4", range(6), times=times)

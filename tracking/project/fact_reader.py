@@ -19,6 +19,7 @@ from tracking.review import ReviewItemFinder, review_state, reviewed_share
 from tracking.scoring import ScoringTable, score
 from tracking.session import Session
 from tracking.session.hand_made import is_hand_made
+from tracking.synthesis.video import is_clip
 from tracking.tracks import TRACK_COLUMNS, Run, TrackTable, empty
 from tracking.translation import message_of, msg
 
@@ -46,6 +47,7 @@ def _read_recording(path: Path) -> ReadFacts:
             footage=footage_of(recording),
             cameras=2 if recording.is_stereo else 1,
             has_truth=recording.truth_path is not None,
+            is_clip=is_clip(path),
         )
         frame = recording.frame_count // 2
         image = draw_thumbnail(recording.read(frame).left, empty(TRACK_COLUMNS), frame)

@@ -66,10 +66,12 @@ class RecordingFacts(Facts):
 
     Attributes:
         cameras: how many. has_truth: whether there is ground truth beside it.
+        is_clip: it was exported to show a recording, and is none.
     """
 
     cameras: int = 0
     has_truth: bool = False
+    is_clip: bool = False
 
 
 @dataclass(frozen=True, slots=True)

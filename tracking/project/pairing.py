@@ -180,6 +180,7 @@ def pair(
             outcomes.get(file.path),
         )
         for file in scan.recordings
+        if by_recording[file.path] or not _is_clip(known, file.path)
     ]
     rows += [ProjectRow(_name(scan.folder, row.path), None, None, (row,)) for row in alone]
     return sorted(rows, key=lambda row: row.name.casefold())
@@ -262,6 +263,11 @@ def _by_footage(
 def _recording_facts(known: Mapping[Path, KnownFacts], path: Path) -> RecordingFacts | None:
     facts = known[path].facts if path in known else None
     return facts if isinstance(facts, RecordingFacts) else None
+
+
+def _is_clip(known: Mapping[Path, KnownFacts], path: Path) -> bool:
+    facts = _recording_facts(known, path)
+    return facts is not None and facts.is_clip
 
 
 def _session_facts(known: Mapping[Path, KnownFacts], path: Path) -> SessionFacts | None:

@@ -244,15 +244,18 @@ def _rate(located: Located, cameras: ImagePairs) -> float:
 
 
 def _uneven_times(cameras: ImagePairs, fps: float, count: int) -> NDArray[np.float64] | None:
-    """The stream's own times where frames do not come evenly at the recording's rate."""
+    """The stream's own times where its frames do not come evenly.
+
+    Where they do, the recording's rate counts, also where the stream's differs a little.
+    """
     source = cameras.sources[0]
     if source.times_s is None or source.fps is None or abs(source.fps - fps) > 0.01 * fps:
         return None
-    even = np.arange(count) / fps
+    even = np.arange(count) / source.fps
     times = source.times_s[:count]
     # Stamps of cameras are kept where they tell more than the rate; those of videos are rounded.
     share = 0.5 if source.stamps_ns is None else _LEAST_UNEVEN_SHARE
-    return None if np.abs(times - even).max() < share / fps else times
+    return None if np.abs(times - even).max() < share / source.fps else times
 
 
 def _manifest_notes(located: Located, cameras: ImagePairs, fps: float) -> tuple[Message, ...]:

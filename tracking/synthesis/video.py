@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from fractions import Fraction
 from pathlib import Path
-from typing import Literal
+from typing import Final, Literal
 
 import av
 import cv2
@@ -21,6 +21,19 @@ _ENCODERS: tuple[tuple[_Encoder, dict[str, str]], ...] = (
     ("mpeg4", {"qscale": "3", "flags": "+qscale"}),
 )
 _FRAMES_TO_A_KEY = 20
+CLIP_COMMENT: Final = "clip exported by trackwright"
+"""What a video says of itself that shows a recording with what was drawn over it."""
+
+
+def is_clip(path: Path) -> bool:
+    """Whether a video was exported as a clip: it is no footage. False where it cannot be read."""
+    if path.suffix.lower() != ".mp4" or not path.is_file():
+        return False
+    try:
+        with av.open(str(path)) as container:
+            return container.metadata.get("comment") == CLIP_COMMENT
+    except (av.error.FFmpegError, OSError, ValueError):
+        return False
 
 
 class VideoWriter:
@@ -29,8 +42,8 @@ class VideoWriter:
     What the system says of its file (OSError) is for whoever named the place, such as `part_of`.
     """
 
-    def __init__(self, path: Path, size: tuple[int, int], fps: float) -> None:
-        """Begin a video of images of `size` (width, height).
+    def __init__(self, path: Path, size: tuple[int, int], fps: float, comment: str = "") -> None:
+        """Begin a video of images of `size` (width, height), which may say something of itself.
 
         Raises:
             OutputError: no encoder is there.
@@ -38,6 +51,8 @@ class VideoWriter:
         """
         encoder, options = _encoder()
         self._container = av.open(str(path), "w", format="mp4")
+        if comment:
+            self._container.metadata["comment"] = comment
         rate = Fraction(fps).limit_denominator(1001)
         self._stream = self._container.add_stream(encoder, rate=rate, options=options)
         self._stream.width, self._stream.height = size

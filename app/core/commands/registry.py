@@ -56,9 +56,8 @@ class CommandRegistry(Generic[AppT]):
         app, document = self._app, self._app.document
         why_not, note = command.enabled(app), command.note(app)
         one_camera = document is not None and not document.recording.is_stereo
-        title = tr(
-            command.title_one_camera if one_camera and command.title_one_camera else command.title
-        )
+        english = (one_camera and command.title_one_camera) or command.title
+        title = tr(english)
         menu, submenu = menu_of(command)
         return CommandItem(
             command=command.id,
@@ -69,6 +68,7 @@ class CommandRegistry(Generic[AppT]):
             why_not=why_not,
             checked=command.checked(app) if command.checked is not None else None,
             also=tr(command.also) if command.also else "",
+            english=english,
         )
 
 

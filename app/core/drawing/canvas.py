@@ -67,6 +67,10 @@ class Canvas(QWidget, metaclass=AbstractQt):
     def content(self) -> QRectF:
         """The content worth showing, in its own units; empty where there is none."""
 
+    def reach(self) -> QRectF:
+        """All of the content, as far as it can be moved to; more than what is worth showing."""
+        return self.content()
+
     @abstractmethod
     def paint(self, painter: QPainter, theme: Theme) -> None:
         """Draw everything but the ground."""
@@ -164,8 +168,8 @@ class Canvas(QWidget, metaclass=AbstractQt):
 
     def bring_into_view(self, content: QRectF) -> None:
         """Shift a zoomed view so that a part of the content that is not seen whole is."""
-        content = content.intersected(self.content())  # beyond it there is nothing to see
-        if self._fitted or content.isEmpty():
+        content = content.intersected(self.reach())  # beyond it there is nothing to see
+        if content.isEmpty() or (self._fitted and self.content().contains(content)):
             return
         place, area = self._viewport.rect(content), QRectF(self.rect())
         if place.width() > area.width() or place.height() > area.height():
@@ -180,7 +184,7 @@ class Canvas(QWidget, metaclass=AbstractQt):
     def _look(self, viewport: Viewport) -> None:
         """Show a view that the user chose, which shows no ground in place of content."""
         self._fitted, self._seen_in = False, self._area()
-        self._viewport = viewport.kept_inside(self.content(), self._seen_in)
+        self._viewport = viewport.kept_inside(self.reach(), self._seen_in)
         self.update()
 
     def zoom(self, factor: float, at: QPointF | None = None) -> None:

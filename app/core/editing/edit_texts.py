@@ -12,7 +12,6 @@ from app.core.editing.edit_names import option_name, question
 from app.core.editing.edit_options import EditScope
 from app.core.editing.edit_spec import EditSpec
 from app.core.editing.flow import EditFlow
-from app.core.editing.nearness import metres_apart
 from app.core.i18n import count_text, joined_text, some_of, time_text, tr
 from app.core.keymap import key_or_title, shown_key
 from app.core.scenes import ChoiceRow, EditPreview, Proposal
@@ -42,7 +41,7 @@ def preview_scene(
         choices=choices,
         other=flow.other if flow.takes_other else None,
         others=_others(flow, on),
-        cuts=_cuts(flow, on) if change is not None else (),
+        cuts=_cuts(flow) if change is not None else (),
         has_cut=flow.has_cut,
         begins=flow.scope in (EditScope.ON, EditScope.RANGE),
         gives=flow.spec is edits.REASSIGN,
@@ -82,20 +81,19 @@ def _others(flow: EditFlow, on: EditContext) -> tuple[Proposal, ...]:
     )
 
 
-def _cuts(flow: EditFlow, on: EditContext) -> tuple[Proposal, ...]:
+def _cuts(flow: EditFlow) -> tuple[Proposal, ...]:
     """The frames where the two may have changed over, the likeliest first."""
     return tuple(
-        Proposal(number, str(cut.frame), number == flow.cut_number, None, _why(flow, number, on))
+        Proposal(number, str(cut.frame), number == flow.cut_number, None, _why(flow, number))
         for number, cut in enumerate(flow.cuts)
     )
 
 
-def _why(flow: EditFlow, number: int, on: EditContext) -> str:
+def _why(flow: EditFlow, number: int) -> str:
     """Why a frame was found; a share of all found only where there are others to choose from."""
     cut = flow.cuts[number]
-    apart_m = metres_apart(on.table, flow.track, flow.other, cut.frame)
-    if apart_m > _FAR_APART_M:
-        return tr("{metres:.1f} m apart here: {why}", metres=apart_m, why=cut.text)
+    if cut.apart_m > _FAR_APART_M:
+        return tr("unlikely here: {why}", why=cut.text)
     if not cut.shown:
         return tr("no clear sign: {why}", why=cut.text)
     if len(flow.cuts) == 1:
@@ -110,14 +108,24 @@ def _details(flow: EditFlow, change: Change, on: EditContext) -> tuple[str, ...]
     lines, fps = [], on.geometry.fps
     when = time_text(flow.cut / fps)
     if flow.proposed and flow.cut_number >= 0:
-        why = _why(flow, flow.cut_number, on)
+        why = _why(flow, flow.cut_number)
         lines.append(tr("Frame {n} ({when}), {why}", n=flow.cut, when=when, why=why))
     elif flow.has_cut or flow.places:
         lines.append(tr("Frame {n} ({when})", n=flow.cut, when=when))
     if flow.spec is edits.SPLIT:
         lines.append(tr("{a} keeps its id before the cut", a=flow.track))
     lines += _counts(change, on.table)
+    if flow.proposed and flow.cut_number == 0 and flow.asked_at not in (-1, flow.cut):
+        lines.append(_begins_elsewhere(flow))
     return tuple(lines)
+
+
+def _begins_elsewhere(flow: EditFlow) -> str:
+    """Why the edit does not begin where the user was."""
+    return tr(
+        "Begins here, not in frame {asked}: of the frames nearby a swap is likeliest here",
+        asked=flow.asked_at,
+    )
 
 
 def _counts(change: Change, table: TrackTable) -> list[str]:

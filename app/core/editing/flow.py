@@ -31,6 +31,7 @@ class EditFlow:
         box: drawn, moved or proposed, px of the left picture. place: the same on the floor, m.
         boxes: of several tracks, put together.
         drawing: a box may be drawn with the mouse in place of the proposed one.
+        asked_at: the frame in which it was begun; -1: not known.
     """
 
     spec: EditSpec
@@ -52,6 +53,7 @@ class EditFlow:
     place: Place | None = None
     boxes: tuple[tuple[int, Box], ...] = ()
     drawing: bool = False
+    asked_at: int = -1
 
     @classmethod
     def begin(
@@ -79,6 +81,7 @@ class EditFlow:
             way=ways[0] if ways else Way.FLOOR,
             marked=marked,
             has_floor=has_floor,
+            asked_at=frame,
         ).with_scope(scope or _usual_scope(spec, frame, marked))
 
     @property

@@ -66,15 +66,6 @@ def _walk_s(one: Columns | None, other: Columns | None) -> float:
     return metres / _WALK_M_PER_S if np.isfinite(metres) else 0.0
 
 
-def metres_apart(table: TrackTable, track: int, other: int, frame: int) -> float:
-    """How far apart two stand on the floor in a frame, or nearest to it; NaN where not known."""
-    rows = [nearest_row(table, one, frame) for one in (track, other)]
-    if rows[0] is None or rows[1] is None:
-        return float("nan")
-    here, there = _places(rows[0]), _places(rows[1])
-    return float(np.linalg.norm(there[0, :2] - here[0, :2]))
-
-
 def nearest_row(table: TrackTable, track: int, frame: int) -> Columns | None:
     """The track's row whose frame is nearest; None where it has none."""
     if track not in table:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import time
-from collections.abc import Callable
+from collections.abc import Callable, Iterable
 from dataclasses import dataclass, replace
 from enum import Enum, auto
 from pathlib import Path
@@ -37,7 +37,8 @@ class JobLine:
     Attributes:
         number: of the job, never used again. title: what it does.
         share: done, 0..1; None where that is not known. seconds_left: None likewise.
-        cancel: asks it to stop; None where it cannot be.
+        cancel: asks it to stop; None where it cannot be. keep: asks it to stop and keeps what
+            there is so far; None where that is nothing.
         place: the file or folder that came of it. word: why it failed.
         again: does it once more, where it was stopped and that is possible.
     """
@@ -48,6 +49,7 @@ class JobLine:
     share: float | None = None
     seconds_left: float | None = None
     cancel: Callable[[], object] | None = None
+    keep: Callable[[], object] | None = None
     place: Path | None = None
     word: str = ""
     again: Callable[[], object] | None = None
@@ -110,11 +112,17 @@ class JobList(QObject):
         known = done > 0 and passed_s > _TELL_LEFT_AFTER_S
         self.show(number, done / total, passed_s * (total - done) / done if known else None)
 
-    def show(self, number: int, share: float | None, seconds_left: float | None) -> None:
-        """It is so far, whoever worked that out."""
+    def show(
+        self,
+        number: int,
+        share: float | None,
+        seconds_left: float | None,
+        keep: Callable[[], object] | None = None,
+    ) -> None:
+        """It is so far, whoever worked that out, and stopped now it may `keep` something."""
         line = self._lines.get(number)
         if line is not None and line.runs:
-            self._lines[number] = replace(line, share=share, seconds_left=seconds_left)
+            self._lines[number] = replace(line, share=share, seconds_left=seconds_left, keep=keep)
             self.changed.emit()
 
     def end(
@@ -140,7 +148,14 @@ class JobList(QObject):
         for other in self._like(line) if place is None else ():
             del self._lines[other]
         self._lines[number] = replace(
-            line, state=state, seconds_left=None, cancel=None, place=place, word=word, again=again
+            line,
+            state=state,
+            seconds_left=None,
+            cancel=None,
+            keep=None,
+            place=place,
+            word=word,
+            again=again,
         )
         ended = [one.number for one in self._lines.values() if not one.runs]
         for old in ended[:-_MOST_ENDED]:
@@ -172,6 +187,13 @@ class JobList(QObject):
             for one in self._lines.values()
             if not one.runs and one.title == line.title and one.place is None
         ]
+
+    def take_over(self, lines: Iterable[JobLine]) -> None:
+        """Go on with what ended in another list, the last one first; none of it begins again."""
+        for line in reversed([one for one in lines if not one.runs]):
+            number, self._next = self._next, self._next + 1
+            self._lines[number] = replace(line, number=number, again=None)
+        self.changed.emit()
 
     def forget(self) -> None:
         """Forget what ended."""

@@ -104,17 +104,19 @@ class TimeAxis:
 def ticks(axis: TimeAxis, fps: float, least_px: float) -> Iterator[tuple[int, str]]:
     """Frames at round times that lie at least `least_px` apart, and what is written there.
 
-    Whole seconds are written as mm:ss; between them parts of a second follow, as mm:ss.25.
+    They are written as mm:ss, and where they are less than a second apart all with as many
+    decimals: as mm:ss.5, or as mm:ss.25 where tenths do not tell them.
     """
     rate = max(fps, 1e-6)
     step_s = _round_time(least_px / axis.px_per_frame / rate, rate)
+    decimals = 0 if step_s >= 1 else 1 if abs(10 * step_s - round(10 * step_s)) < 1e-6 else 2
     first = int(np.floor(axis.start / rate / step_s))
     last = int(np.ceil((axis.start + axis.frames) / rate / step_s))
     for index in range(max(first, 0), last + 1):
         time_s = index * step_s
         frame = round(time_s * rate)
         if frame <= axis.frame_count:
-            yield frame, _tick_text(time_s, rate)
+            yield frame, _tick_text(time_s, decimals)
 
 
 def _round_time(least_s: float, fps: float) -> float:
@@ -124,12 +126,9 @@ def _round_time(least_s: float, fps: float) -> float:
     return next((step for step in steps if step >= least_s), 14400.0)
 
 
-def _tick_text(time_s: float, fps: float) -> str:
-    hundredths = round(100 * time_s)
-    if abs(time_s - round(time_s)) <= 0.25 / fps:
-        hundredths = 100 * round(time_s)
-    whole, part = divmod(hundredths, 100)
+def _tick_text(time_s: float, decimals: int) -> str:
+    whole, part = divmod(round(10**decimals * time_s), 10**decimals)
     hours, rest = divmod(whole, 3600)
     lead = f"{hours}:" if hours else ""
-    parts = f".{part:02d}".rstrip("0") if part else ""
+    parts = f".{part:0{decimals}d}" if decimals else ""
     return f"{lead}{rest // 60:02d}:{rest % 60:02d}{parts}"

@@ -70,9 +70,16 @@ def corners_around(boxes: Floats, margin: float) -> tuple[Floats, Floats] | None
 
 
 def _around(boxes: Floats, size: tuple[int, int]) -> Part | None:
-    """What holds boxes, and most of a body more on each side."""
+    """What holds boxes, and most of a body more on each side, of the picture and no more than it.
+
+    Whoever is so large or so close to its edge that more would be shown is not shown smaller.
+    """
     corners = corners_around(boxes, _AROUND_BODIES)
-    return None if corners is None else _at_least(*corners, np.array(size) / _CLOSEST)
+    if corners is None:
+        return None
+    whole = np.array(size, np.float64)
+    low, high = (np.clip(corner, 0.0, whole) for corner in corners)
+    return _at_least(low, high, whole / _CLOSEST)
 
 
 def _on_floor(rows: Columns) -> Part | None:

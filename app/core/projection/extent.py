@@ -16,6 +16,10 @@ Bounds = tuple[float, float, float, float]
 MARGIN_M = 0.6
 _NEAREST_M, _FARTHEST_M, _HEIGHTS = 8.0, 40.0, 4.5
 _TIMES = 4.0
+_MOST_SHARE = 0.96
+"""Of the places, along each axis, so many say where most people are."""
+_BEYOND, _BEYOND_M = 0.5, 2.0
+"""So far beyond those, of their span and at least, others count still."""
 
 
 def reach_m(recording: Recording) -> float:
@@ -27,18 +31,42 @@ def reach_m(recording: Recording) -> float:
 
 
 def extent(rows: Columns, reach: float) -> Bounds | None:
-    """Whole metres around all places of rows with `x` and `y`, m; None where none is known.
+    """Whole metres around places of rows with `x` and `y`, m; None where none is known.
 
-    Places several times as far away as the `reach`, in m, are left out: so close to the horizon a
-    pixel is many metres, and one such place would make everything else tiny.
+    A few that are far from where most are, as of a short track at the end of a street, are left
+    out: they would make everybody else tiny.
+    """
+    xy = _near(rows, reach)
+    if not len(xy):
+        return None
+    share = (1.0 - _MOST_SHARE) / 2
+    first, last = np.quantile(xy, (share, 1.0 - share), axis=0)
+    beyond = np.maximum(_BEYOND * (last - first), _BEYOND_M)
+    low, high = (
+        np.maximum(xy.min(axis=0), first - beyond),
+        np.minimum(xy.max(axis=0), last + beyond),
+    )
+    return _whole_metres(low, high)
+
+
+def full_extent(rows: Columns, reach: float) -> Bounds | None:
+    """Whole metres around all places of rows with `x` and `y`, m; None where none is known."""
+    xy = _near(rows, reach)
+    return _whole_metres(xy.min(axis=0), xy.max(axis=0)) if len(xy) else None
+
+
+def _near(rows: Columns, reach: float) -> NDArray[np.float64]:
+    """(n, 2) places, m, less those several times as far away as the `reach`, in m.
+
+    So close to the horizon a pixel is many metres.
     """
     xy: NDArray[np.float64] = np.column_stack((rows["x"], rows["y"])).astype(np.float64)
-    near = np.hypot(xy[:, 0], xy[:, 1]) <= _TIMES * reach  # never so of NaN
-    if not near.any():
-        return None
-    low, high = xy[near].min(axis=0) - MARGIN_M, xy[near].max(axis=0) + MARGIN_M
-    left, bottom = (float(math.floor(value)) for value in low)
-    right, top = (float(math.ceil(value)) for value in high)
+    return xy[np.hypot(xy[:, 0], xy[:, 1]) <= _TIMES * reach]  # never so of NaN
+
+
+def _whole_metres(low: NDArray[np.float64], high: NDArray[np.float64]) -> Bounds:
+    left, bottom = (float(math.floor(value)) for value in low - MARGIN_M)
+    right, top = (float(math.ceil(value)) for value in high + MARGIN_M)
     return left, bottom, right, top
 
 

@@ -135,7 +135,8 @@ class OverheadScene:
         people: tracks.
         field_of_view: polygon (k, 2) the left camera sees of the floor.
         camera: x, y of the camera.
-        bounds: left, bottom, right, top in metres of what is worth showing.
+        bounds: left, bottom, right, top in metres of what is worth showing. all_bounds: of all
+            places that are known, however far; None for the same.
         preview: trails before (dashed) and after (solid) of an edit being previewed.
         message: said where there is nothing to show, e.g. no calibration.
         looks_down: the camera looks (nearly) straight down, not forward.
@@ -159,3 +160,4 @@ class OverheadScene:
     ghosts: tuple[FloorPerson, ...] = ()
     movable: bool = False
     rough: bool = False
+    all_bounds: tuple[float, float, float, float] | None = None

@@ -14,6 +14,7 @@ class CommandItem:
         menu: where it stands, e.g. "File", "Correct > Delete".
         keys: in Qt's portable text, e.g. "Ctrl+Shift+Z"; the first is shown.
         why_not: said where it is not enabled. also: further words that the search finds it by.
+        english: the title in English, by which it is found in any language.
     """
 
     command: str
@@ -24,6 +25,7 @@ class CommandItem:
     why_not: str = ""
     checked: bool | None = None
     also: str = ""
+    english: str = ""
 
 
 @dataclass(frozen=True, slots=True)

@@ -147,6 +147,8 @@ class _Row(QWidget):
         self._again = QPushButton(tr("Start again"), self)
         self._again.clicked.connect(self._start_again)
         self._cancel.clicked.connect(self._stop)
+        self._keep = QPushButton(tr("Stop, keep the result"), self)
+        self._keep.clicked.connect(self._stop_and_keep)
         self._open.clicked.connect(self._show_place)
         grid.addWidget(self._title, 0, 0)
         grid.addWidget(self._bar, 1, 0)
@@ -154,6 +156,7 @@ class _Row(QWidget):
         grid.addWidget(self._cancel, 0, 1, 3, 1)
         grid.addWidget(self._again, 0, 1, 3, 1)
         grid.addWidget(self._open, 0, 2, 3, 1)
+        grid.addWidget(self._keep, 0, 2, 3, 1)
         grid.setColumnStretch(0, 1)
 
     def show_line(self, line: JobLine) -> None:
@@ -163,6 +166,7 @@ class _Row(QWidget):
             self._title.setText(line.title)
             self._bar.setAccessibleName(tr("Progress of: {title}", title=line.title))
             self._cancel.setAccessibleName(tr("Cancel: {title}", title=line.title))
+            self._keep.setAccessibleName(tr("Stop, keep the result of: {title}", title=line.title))
             self._open.setAccessibleName(tr("Open what came of: {title}", title=line.title))
             self._again.setAccessibleName(tr("Start again: {title}", title=line.title))
         self._bar.setVisible(line.runs)
@@ -170,6 +174,7 @@ class _Row(QWidget):
         if line.share is not None:
             self._bar.setValue(round(line.share * _STEPS))
         self._cancel.setVisible(line.cancel is not None)
+        self._keep.setVisible(line.keep is not None)
         self._open.setVisible(line.place is not None)
         self._again.setVisible(line.again is not None)
         self._word.setText(_word_of(line))
@@ -178,6 +183,12 @@ class _Row(QWidget):
         self._cancel.setEnabled(False)
         if self._line is not None and self._line.cancel is not None:
             self._line.cancel()
+
+    def _stop_and_keep(self) -> None:
+        for button in (self._keep, self._cancel):
+            button.setEnabled(False)
+        if self._line is not None and self._line.keep is not None:
+            self._line.keep()
 
     def _start_again(self) -> None:
         self._again.setEnabled(False)

@@ -15,7 +15,7 @@ _PASSES_MS = 60_000
 _LINES = 2
 """More of a text is shown once it is asked for: it would lie over the overview and lanes."""
 _EDGE_PX, _APART_PX = 16, 12
-_MOVES = (QEvent.Type.Resize, QEvent.Type.Show, QEvent.Type.Hide)
+_MOVES = (QEvent.Type.Resize, QEvent.Type.Move, QEvent.Type.Show, QEvent.Type.Hide)
 _HIGH_PX = 1_000_000
 _ELLIPSIS = "\u2026"
 _READ_S = 4.0
@@ -49,6 +49,7 @@ class NoticeBar(QFrame):
         self._page: QWidget | None = None
         self._line: QStatusBar | None = None
         self._progress: QWidget | None = None
+        self._last: QWidget | None = None
         self._passing = QTimer(self, singleShot=True, interval=_PASSES_MS)
         self._passing.timeout.connect(self.hide)
         self.setProperty("notice", "true")
@@ -73,14 +74,15 @@ class NoticeBar(QFrame):
             row.addWidget(button)
         self.hide()
 
-    def stand_over(self, page: QWidget, line: QStatusBar, progress: QWidget) -> None:
+    def stand_over(self, page: QWidget, line: QStatusBar, progress: QWidget, last: QWidget) -> None:
         """Lie over the lower edge of a window from now on, as wide as its page: people are above.
 
-        Words on the line below the page, and progress there, stay to be seen.
+        Words on the line below the page, and progress there, stay to be seen, and so does what
+        stands `last` on that line.
         """
         self.setParent(page.window())
-        self._page, self._line, self._progress = page, line, progress
-        for widget in (page, progress):
+        self._page, self._line, self._progress, self._last = page, line, progress, last
+        for widget in (page, progress, last):
             widget.installEventFilter(self)
         line.messageChanged.connect(lambda _: self._place())
         self._place()
@@ -101,12 +103,19 @@ class NoticeBar(QFrame):
         if self._page is None or self._line is None:
             return
         page = self._page.geometry()
-        self._fold(page.width())
         free = not (self._line.currentMessage() or self._is_under_way)
         line = self._line.height() if free else 0
-        least = max(self.heightForWidth(page.width()), line)
-        self.setGeometry(page.left(), page.bottom() + 1 + line - least, page.width(), least)
+        width = page.width() if not free else page.width() - self._taken_px(page.right())
+        self._fold(width)
+        least = max(self.heightForWidth(width), line)
+        self.setGeometry(page.left(), page.bottom() + 1 + line - least, width, least)
         self.raise_()
+
+    def _taken_px(self, right: int) -> int:
+        """How much of the line, at its end, is to stay in sight."""
+        if self._last is None or self._line is None or self._last.isHidden():
+            return 0
+        return right + 1 - self._line.mapToParent(self._last.pos()).x() + _APART_PX // 2
 
     def _fold(self, width: int) -> None:
         """Leave out what has no room on two lines, unless all of it was asked for."""

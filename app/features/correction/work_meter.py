@@ -10,13 +10,14 @@ import numpy as np
 from app.core.document.document_listener import DocumentListener, Marks
 from app.core.i18n import count_text, tr
 from app.core.tracks.track_reader import WholeTracks
-from tracking.editing import Change
+from tracking.editing import Change, History
 from tracking.tracks import Columns, ReviewedRange, Source
 
 PAUSE_S: Final = 60.0
 """A longer time without an edit is a break, and counts as so much work."""
 _LEAST_S: Final = 30.0
 """No speed is stated for less time than this."""
+_IMPORT = "import"
 
 
 class WorkMeter(DocumentListener):
@@ -24,15 +25,17 @@ class WorkMeter(DocumentListener):
 
     Attributes:
         boxes: labelled by now: those put by hand and those interpolated, less what was undone.
-        edits: done, undone and done again.
-        worked_s: how long that took, in seconds.
+        worked_s: how long that took, in seconds; undoing and doing again is work, too.
     """
 
     def __init__(self, seconds: Callable[[], float]) -> None:
         """`seconds` is a clock that never goes back."""
-        self.boxes = self.edits = 0
+        self.boxes = 0
         self.worked_s = 0.0
         self._seconds, self._last_s = seconds, seconds()
+        self._history: History | None = None
+        self._state: tuple[object, ...] = ()
+        self._edits = self._before = 0
 
     def take_change(
         self,
@@ -43,32 +46,53 @@ class WorkMeter(DocumentListener):
     ) -> None:
         """Count an edit."""
         now = self._seconds()
-        if change.kind == "import":  # made elsewhere, in a time nobody measured
+        if change.kind == _IMPORT:  # made elsewhere, in a time nobody measured
             self._last_s = now
             return
         self.worked_s += min(now - self._last_s, PAUSE_S)
         self._last_s = now
-        self.edits += 1
         self.boxes += _labelled(change.after.rows) - _labelled(change.before.rows)
 
-    def text(self) -> str:
+    def edits(self, history: History | None) -> int:
+        """How many edits are in force that were not yet where this history was shown first."""
+        if history is None:
+            return 0
+        if history is not self._history:
+            self._history, self._state = history, _state_of(history)
+            self._edits = self._before = _in_force(history)
+        elif (state := _state_of(history)) != self._state:
+            self._state, self._edits = state, _in_force(history)
+        return max(0, self._edits - self._before)
+
+    def text(self, history: History | None) -> str:
         """In a line; "" before anything was done."""
-        if not self.edits:
+        edits = self.edits(history)
+        if not edits:
             return ""
         boxes = max(0, self.boxes)
         words = [count_text(boxes, "{n} box", "{n} boxes")] if boxes else []
-        words.append(count_text(self.edits, "{n} edit", "{n} edits"))
+        words.append(count_text(edits, "{n} edit", "{n} edits"))
         if self.worked_s >= _LEAST_S:
-            words.append(self._pace(boxes, self.worked_s / 3600))
+            words.append(self._pace(boxes, edits, self.worked_s / 3600))
         return "  \u00b7  ".join(words)
 
-    def _pace(self, boxes: int, hours: float) -> str:
-        edits = round(self.edits / hours)
+    def _pace(self, boxes: int, count: int, hours: float) -> str:
+        edits = round(count / hours)
         if not boxes:
             return tr("{edits} edits an hour", edits=edits)
         return tr(
             "{boxes} boxes and {edits} edits an hour", boxes=round(boxes / hours), edits=edits
         )
+
+
+def _in_force(history: History) -> int:
+    return sum(entry.kind != _IMPORT for entry in history.in_force)
+
+
+def _state_of(history: History) -> tuple[object, ...]:
+    """Another one where edits were made, undone or done again."""
+    undo, redo = history.next_undo, history.next_redo
+    return len(history), undo.id if undo else 0, redo.id if redo else 0
 
 
 def _labelled(rows: Columns) -> int:

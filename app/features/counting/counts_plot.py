@@ -9,7 +9,7 @@ from PySide6.QtWidgets import QWidget
 
 from app.core.drawing.name_plates import draw_message
 from app.core.i18n import joined_text, tr
-from app.core.look.theme import Theme
+from app.core.look.theme import Theme, faded
 from app.core.plots.curves import curve_path, whole_span
 from app.core.plots.frame_plot import FramePlot
 from app.core.widgets.spoken_description import SpokenDescription, told_lines
@@ -79,11 +79,14 @@ class CountsPlot(FramePlot):
             return
         axis, foot = self.axis, QFontMetricsF(painter.font()).height() + 4
         height = (self.height() - foot - _GAP_PX * (len(plots) - 1)) / len(plots)
-        top = 2.0
+        top, told = 2.0, tuple[str, ...]()
         for plot in plots:
             place = QRectF(axis.left, top, axis.width, height)
             self._draw_plot(painter, plot, place, theme)
-            top = place.bottom() + _GAP_PX
+            labels = tuple(curve.label for curve in plot.curves)
+            if len(labels) > 1 and labels != told:
+                _draw_key(painter, plot, place, theme)
+            top, told = place.bottom() + _GAP_PX, labels
         self.draw_times(painter, foot, self._scene.fps, theme)
 
     def _draw_plot(self, painter: QPainter, plot: CountPlot, place: QRectF, theme: Theme) -> None:
@@ -99,8 +102,6 @@ class CountsPlot(FramePlot):
             painter.setPen(_pen(curve, theme))
             painter.drawPath(curve_path(frames, curve.values, self.axis, inner, (0.0, high)))
         painter.restore()
-        if len(plot.curves) > 1:
-            _draw_key(painter, plot, place, theme)
 
     def _name_plot(
         self, painter: QPainter, plot: CountPlot, place: QRectF, high: float, theme: Theme
@@ -125,8 +126,14 @@ class CountsPlot(FramePlot):
 
 
 def _draw_key(painter: QPainter, plot: CountPlot, place: QRectF, theme: Theme) -> None:
-    """Which curve is which, in the upper left corner."""
+    """Which curve is which, in the upper left corner, on a plate over the curves.
+
+    The next plot of the same curves has none: peaks of a step would lie under it.
+    """
     metrics = QFontMetricsF(painter.font())
+    wide = sum(_KEY_PX + 18 + metrics.horizontalAdvance(curve.label) for curve in plot.curves)
+    plate = QRectF(place.left() + 2, place.top() + 1, wide, metrics.height() * 1.2 + 2)
+    painter.fillRect(plate.intersected(place), faded(theme.sunken, 0.85))
     at = QPointF(place.left() + 6, place.top() + metrics.height() * 0.6 + 2)
     for curve in plot.curves:
         painter.setPen(_pen(curve, theme))

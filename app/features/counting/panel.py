@@ -71,7 +71,7 @@ class CountingPanel(FeaturePanel):
         self.hide()
 
     def _ways(self) -> QHBoxLayout:
-        """How time is cut, what trembling is."""
+        """How time is cut, what trembling is, whose tracks are counted."""
         line = QHBoxLayout()
         line.setSpacing(6)
         self._step = self._number(tr("Step"), tr("How long a step is"), _MOST["step_s"], " s")
@@ -87,6 +87,7 @@ class CountingPanel(FeaturePanel):
             _MOST["jitter_px"],
             " px",
         )
+        self._track_sources = ElidingList(tr("Whose tracks are counted"), self)
         self._jitter_px.setDecimals(1)
         self._jitter_px.setSingleStep(1.0)
         line.addWidget(quiet_beside(tr("Step"), self))
@@ -94,13 +95,11 @@ class CountingPanel(FeaturePanel):
         line.addWidget(quiet_beside(tr("Jitter"), self))
         line.addWidget(self._jitter)
         line.addWidget(self._jitter_px)
-        line.addStretch(1)
+        line.addWidget(self._track_sources, 1)
         return line
 
     def _add_buttons(self) -> None:
-        """Whose tracks are counted; plots or table; copy, save."""
-        self._track_sources = ElidingList(tr("Whose tracks are counted"), self)
-        self.add_to_heading(self._track_sources, 1)
+        """Plots or table; copy, save."""
         self._as_table = self._button(tr("Table"), tr("Show every step as a table, or the plots"))
         self._as_table.setCheckable(True)
         self._copy = self._button(tr("Copy"), tr("Copy the chosen steps, or all"))

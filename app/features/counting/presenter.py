@@ -24,6 +24,23 @@ from app.features.counting.tallies import Tallies, people_inside
 from tracking.counting import PAPER_STEP_S, CountSettings, Occupancy, density_of
 from tracking.tracks import Columns, CountingLine, Labels, Region
 
+_MOST_STEPS = 40
+_STEPS_S = (
+    PAPER_STEP_S,
+    1.0,
+    2.0,
+    5.0,
+    10.0,
+    15.0,
+    30.0,
+    60.0,
+    120.0,
+    300.0,
+    600.0,
+    1800.0,
+    3600.0,
+)
+
 
 @dataclass(slots=True)
 class CountingChoice:
@@ -44,8 +61,9 @@ class CountingPresenter:
 
     def __init__(self, document: Document) -> None:
         self._document = document
-        shortest_s = least_step_s(document.recording.fps)
-        self.choice = CountingChoice(settings=CountSettings(max(PAPER_STEP_S, shortest_s)))
+        recording = document.recording
+        step_s = usual_step_s(recording.frame_count, recording.fps)
+        self.choice = CountingChoice(settings=CountSettings(step_s))
         self.counted: CountResult | None = None
         self._refused: tuple[CountSubject, str] | None = None
         self._tallies: Tallies | None = None
@@ -296,6 +314,12 @@ class CountingPresenter:
 def least_step_s(fps: float) -> float:
     """The shortest step that can be chosen: a frame, rounded up to hundredths of a second."""
     return math.ceil(100 / fps - 1e-6) / 100
+
+
+def usual_step_s(frame_count: int, fps: float) -> float:
+    """A round step by which footage of this length gives a few dozen of them at most."""
+    least_s = max(frame_count / fps / _MOST_STEPS, least_step_s(fps))
+    return next((step for step in _STEPS_S if step >= least_s), max(_STEPS_S[-1], least_s))
 
 
 def _text(number: float, form: str) -> str:

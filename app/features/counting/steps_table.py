@@ -14,8 +14,8 @@ from PySide6.QtCore import (
     Qt,
     Signal,
 )
-from PySide6.QtGui import QFont, QGuiApplication, QKeyEvent, QKeySequence, QShowEvent
-from PySide6.QtWidgets import QAbstractItemView, QTableView, QWidget
+from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication, QKeyEvent, QKeySequence, QShowEvent
+from PySide6.QtWidgets import QAbstractItemView, QStyle, QTableView, QWidget
 
 from app.core.i18n import time_text, tr
 from tracking.counting import Counts, number_as_text
@@ -141,8 +141,18 @@ class StepsTable(QTableView):
         """Show the steps, and which one the frame lies in."""
         if self.steps.show_counts(counts):
             self.resizeColumnsToContents()
+            self._make_room_for_bold()
         if counts is not None and len(counts.steps):
             self.steps.show_now(int(frame / fps / counts.steps.step_s + 1e-9))
+
+    def _make_room_for_bold(self) -> None:
+        """The row of the frame shown is bold: its time, too, is to be read whole."""
+        font = QFont(self.font())
+        font.setBold(True)
+        last = self.steps.text(max(0, self.steps.rowCount() - 1), 0)
+        inside = 2 * (self.style().pixelMetric(QStyle.PixelMetric.PM_FocusFrameHMargin) + 1)
+        wide = QFontMetrics(font).horizontalAdvance(last + "0") + inside
+        self.setColumnWidth(0, max(self.columnWidth(0), wide))
 
     def showEvent(self, event: QShowEvent) -> None:  # noqa: N802 - Qt's name
         """Begin at the step of the frame shown."""

@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from PySide6.QtCore import QLineF, QPointF, QRectF, Qt
-from PySide6.QtGui import QColor, QPainter, QPen
+from PySide6.QtGui import QColor, QPainter, QPainterPath, QPen
 
 from tracking.tracks import Box
 
@@ -84,6 +84,23 @@ def draw_handles(painter: QPainter, rect: QRectF, colour: QColor) -> None:
         square.moveCenter(_place(rect, handle))
         painter.drawRect(square)
     painter.setBrush(Qt.BrushStyle.NoBrush)
+
+
+def draw_outline_beyond(painter: QPainter, rect: QRectF, colour: QColor, shown: QRectF) -> None:
+    """The part of a box's outline that lies beside the picture, so that its handles hold on to it.
+
+    shown: where the picture is; the box is drawn there.
+    """
+    painter.save()
+    beside = QPainterPath()
+    beside.addRect(rect.united(shown).adjusted(-_SIDE_PX, -_SIDE_PX, _SIDE_PX, _SIDE_PX))
+    inside = QPainterPath()
+    inside.addRect(shown)
+    painter.setClipPath(beside - inside, Qt.ClipOperation.IntersectClip)
+    painter.setBrush(Qt.BrushStyle.NoBrush)
+    painter.setPen(QPen(colour, 1.4, Qt.PenStyle.DashLine))
+    painter.drawRect(rect)
+    painter.restore()
 
 
 def _is_roomy(rect: QRectF) -> bool:

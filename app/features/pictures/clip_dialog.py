@@ -68,9 +68,11 @@ class ClipDialog(QDialog):
 
     asked = Signal(object)
 
-    def __init__(self, offer: ClipOffer, parent: QWidget) -> None:
+    def __init__(self, offer: ClipOffer, parent: QWidget, before: str = "") -> None:
+        """before: what was chosen the last time: see `remembered`; "" for nothing."""
         super().__init__(parent)
         self._offer = offer
+        self._before = dict(word.split("=", 1) for word in before.split() if "=" in word)
         self.setWindowTitle(tr("Export a clip"))
         self.setMinimumWidth(_LETTERS * self.fontMetrics().averageCharWidth())
         rows = QVBoxLayout(self)
@@ -88,6 +90,7 @@ class ClipDialog(QDialog):
         rows.addStretch(1)
         rows.addWidget(dialog_ends(self, tr("&Export...")))
         self._take_kind()
+        self._take_before()
         for changed in (
             self._stretch.currentIndexChanged,
             self._rate.valueChanged,
@@ -159,6 +162,43 @@ class ClipDialog(QDialog):
             self._legends.isChecked(),
             self._stamp.isChecked(),
         )
+
+    @property
+    def _lasting(self) -> dict[str, QCheckBox]:
+        """What is ticked the next time, too; whom a clip follows is chosen each time."""
+        named = {"right": self._right, "floor": self._floor, "people": self._people}
+        return named | {
+            "trails": self._trails,
+            "marks": self._marks,
+            "legends": self._legends,
+            "stamp": self._stamp,
+        }
+
+    @property
+    def remembered(self) -> str:
+        """What is chosen, as a text for the next time; what could not be chosen stays."""
+        ticks = {
+            name: str(int(box.isChecked()))
+            for name, box in self._lasting.items()
+            if box.isEnabled()
+        }
+        kind, speed = self._kind.currentIndex(), self._speed.currentIndex()
+        sizes = {"height": self._height.value(), "rate": self._rate.value()}
+        chosen = self._before | {"kind": kind, "speed": speed, **sizes, **ticks}
+        return " ".join(f"{name}={value}" for name, value in chosen.items())
+
+    def _take_before(self) -> None:
+        """Choose what was chosen the last time."""
+        known = {name: int(text) for name, text in self._before.items() if text.isdecimal()}
+        for name, combo in (("kind", self._kind), ("speed", self._speed)):
+            if known.get(name, -1) in range(combo.count()):
+                combo.setCurrentIndex(known[name])
+        for name, box in (("height", self._height), ("rate", self._rate)):
+            if name in known:
+                box.setValue(min(known[name], box.maximum()))
+        for name, tick in self._lasting.items():
+            if name in known and tick.isEnabled():
+                tick.setChecked(bool(known[name]))
 
     def _take_kind(self) -> None:
         """Propose what goes with the kind of file: a GIF is large."""

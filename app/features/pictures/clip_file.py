@@ -18,7 +18,7 @@ from app.features.pictures.clip_painter import ClipPainter
 from tracking.atomic_output import part_of
 from tracking.progress import Progress
 from tracking.recording import Instants
-from tracking.synthesis.video import VideoWriter
+from tracking.synthesis.video import CLIP_COMMENT, VideoWriter
 
 Bgr = NDArray[np.uint8]
 
@@ -64,7 +64,9 @@ def _pictures(
 def _writer(
     kind: ClipKind, path: Path, size: tuple[int, int], fps: float
 ) -> AbstractContextManager[PictureWriter]:
-    return VideoWriter(path, size, fps) if kind is ClipKind.MP4 else _gif(path, size, fps)
+    if kind is ClipKind.MP4:
+        return VideoWriter(path, size, fps, CLIP_COMMENT)
+    return _gif(path, size, fps)
 
 
 @contextmanager

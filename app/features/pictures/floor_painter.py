@@ -23,7 +23,7 @@ from app.core.drawing.truth_marks import draw_truth_places
 from app.core.drawing.viewport import Viewport
 from app.core.i18n import tr
 from app.core.look.theme import Theme, scaled_font
-from app.core.projection.extent import unite
+from app.core.projection.extent import Bounds, unite
 from app.core.scenes import OverheadScene
 from app.core.scenes.floor_marks import FloorMarks
 from app.core.scenes.ground_truth import FlooredTruth
@@ -93,7 +93,18 @@ def floor_content(scene: OverheadScene | None, truth: FlooredTruth) -> QRectF:
     """The bounds of a scene and of the truth over it, in metres; empty without a floor."""
     if scene is None or scene.message:
         return QRectF()
-    left, bottom, right, top = unite(scene.bounds, truth.bounds)
+    return _rectangle(unite(scene.bounds, truth.bounds))
+
+
+def floor_whole(scene: OverheadScene | None, truth: FlooredTruth) -> QRectF:
+    """The same with every place that is known, however far, in metres."""
+    if scene is None or scene.message:
+        return QRectF()
+    return _rectangle(unite(unite(scene.bounds, scene.all_bounds), truth.bounds))
+
+
+def _rectangle(bounds: Bounds) -> QRectF:
+    left, bottom, right, top = bounds
     return QRectF(left, bottom, right - left, top - bottom)
 
 

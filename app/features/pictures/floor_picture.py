@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
-from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QRectF
+from PySide6.QtCore import QBuffer, QByteArray, QIODevice, QPointF, QRectF, QSize
 from PySide6.QtGui import QImageWriter, QPainter
 from PySide6.QtSvg import QSvgGenerator
 
@@ -18,6 +19,17 @@ from tracking.atomic_output import replace_with
 
 SCALE = 2.0
 """Pixels of a PNG in one unit of the view: it is printed and shown larger, too."""
+_LEAST_SIDE = 900
+"""Of the picture's longer side, in units of the view: in a small pane words take all the room."""
+
+
+def legible(given: FloorInput) -> FloorInput:
+    """The same floor, larger where its view is small, with words as large as they were."""
+    times = _LEAST_SIDE / max(given.size.width(), given.size.height(), 1)
+    if times <= 1.0:
+        return given
+    size = QSize(round(times * given.size.width()), round(times * given.size.height()))
+    return replace(given, viewport=given.viewport.zoomed(QPointF(), times), size=size)
 
 
 def write_floor(given: FloorInput, theme: Theme, path: Path) -> None:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.core.i18n import tr
-from app.core.projection.extent import MARGIN_M, Bounds, extent, reach_m, unite
+from app.core.projection.extent import MARGIN_M, Bounds, extent, full_extent, reach_m, unite
 from app.core.projection.trails import TRAIL_S, floor_points, trails_by_track
 from app.core.scenes import FloorPerson, OverheadScene
 from app.core.tracks.frame_state import FrameState
@@ -43,15 +43,19 @@ class OverheadPresenter:
             self._seen = _bounds(np.vstack((self._field_of_view, _CAMERA)))
             self._message = ""
             self._looks_down = recording.view.ground.tilt_deg > _LOOKS_DOWN_DEG
-        self._bounds = self._seen
+        self._bounds = self._all = self._seen
 
     def take(self, rows: Columns) -> None:
         """Reach to where other tracks are, rows with `x` and `y`, instead of earlier ones."""
         self._bounds = unite(self._seen, extent(rows, self._reach_m))
+        self._all = unite(self._bounds, full_extent(rows, self._reach_m))
 
     def take_more(self, rows: Columns) -> None:
-        """Reach to these places, too."""
-        self._bounds = unite(self._bounds, extent(rows, self._reach_m))
+        """Reach to these places, too, as far as they lie where nobody was before."""
+        every = unite(self._all, full_extent(rows, self._reach_m))
+        if every != self._all:
+            self._bounds = unite(self._bounds, extent(rows, self._reach_m))
+            self._all = every
 
     @property
     def bounds(self) -> Bounds:
@@ -72,6 +76,7 @@ class OverheadPresenter:
             field_of_view=self._field_of_view,
             camera=_CAMERA,
             bounds=self._bounds,
+            all_bounds=self._all,
             preview=state.preview,
             message=self._message,
             looks_down=self._looks_down,

@@ -19,6 +19,7 @@ from app.features.pictures.floor_painter import (
     FloorPainter,
     around_person,
     floor_content,
+    floor_whole,
     person_radius,
 )
 
@@ -96,6 +97,10 @@ class OverheadView(FloorSurface):
     def content(self) -> QRectF:
         """The bounds of the scene and of the truth over it, in metres."""
         return floor_content(self._scene, self._truth)
+
+    def reach(self) -> QRectF:
+        """Everybody's places, also those that are far from all others."""
+        return floor_whole(self._scene, self._truth)
 
     def clicked_at(self, at: QPointF, extend: bool) -> None:
         """Report who and where."""

@@ -17,7 +17,14 @@ from app.core.look.theme import Theme
 from app.core.scenes import PersonMark, PictureScene, Side
 from app.core.scenes.picture_marks import PictureMarks
 from app.core.widgets.spoken_description import SpokenDescription, told_lines, told_people
-from app.features.pictures.box_handles import INSIDE, Grip, cursor_of, draw_handles, handle_at
+from app.features.pictures.box_handles import (
+    INSIDE,
+    Grip,
+    cursor_of,
+    draw_handles,
+    draw_outline_beyond,
+    handle_at,
+)
 from app.features.pictures.divider import is_at_divider, share_at
 from app.features.pictures.picture_painter import (
     PictureInput,
@@ -294,6 +301,7 @@ class PictureView(PictureSurface):
         movable = self._movable()
         if movable is not None and not self._labels.labelling:
             rect = self.viewport.rect(QRectF(*movable.box))
+            draw_outline_beyond(painter, rect, QColor(*movable.colour), shown)
             draw_handles(painter, rect, QColor(*movable.colour))
         if self._scene.drawing and self._hover is not None and self._place.contains(self._hover):
             draw_cross(painter, self._hover, shown)

@@ -35,7 +35,7 @@ def groups_alike(
         name_of: a track's number and name.
     """
     chance, kind = current.likelihood, kind_title(current.kind)
-    less = tr("{chance:.0%} likely or less", chance=chance)
+    less = tr("{chance:.0%} likely or less to be errors", chance=chance)
     wanted: list[tuple[str, Callable[[ReviewItem], bool]]] = [
         (tr("All of this kind: {kind}", kind=kind), lambda one: one.kind == current.kind),
         (

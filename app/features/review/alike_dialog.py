@@ -9,6 +9,7 @@ from PySide6.QtWidgets import (
     QButtonGroup,
     QDialog,
     QDialogButtonBox,
+    QLabel,
     QListWidget,
     QPushButton,
     QRadioButton,
@@ -55,6 +56,7 @@ class AlikeDialog(QDialog):
             rows.addWidget(self._choice(number, group))
         rows.addWidget(self.listed, 1)
         rows.addWidget(self._about)
+        rows.addWidget(self._meaning())
         rows.addWidget(self._buttons())
         tab_in_reading_order(self)
         self.choices.idToggled.connect(lambda number, on: self._show(number) if on else None)
@@ -72,6 +74,18 @@ class AlikeDialog(QDialog):
         choice = QRadioButton(title, self)
         self.choices.addButton(choice, number)
         return choice
+
+    def _meaning(self) -> QLabel:
+        """What the two decisions say, and what comes of them."""
+        words = quiet(
+            tr(
+                "All are right: the tracks are correct there, and the likelihoods of the items "
+                "left learn from it. Dismiss all: the items go, and nothing is said of the tracks."
+            ),
+            self,
+        )
+        words.setWordWrap(True)
+        return words
 
     def _buttons(self) -> QDialogButtonBox:
         box = QDialogButtonBox(QDialogButtonBox.StandardButton.Cancel, self)

@@ -10,7 +10,7 @@ from PySide6.QtCore import QObject, Signal
 from app.core.controller import Controller
 from app.core.document.document import Document
 from app.core.editing.edits import edit_named
-from app.core.i18n import tr
+from app.core.i18n import count_text, tr
 from app.core.playback.playback import Playback
 from app.core.projection.concern import Concern
 from app.features.review.alike import AlikeGroup, groups_alike, plan_decisions
@@ -151,6 +151,13 @@ class ReviewController(Controller):
 
     def _take(self) -> None:
         self._show()
+        if again := self.queue.reopened:
+            words = count_text(
+                again,
+                "{n} decided item is open again: the edit changed it",
+                "{n} decided items are open again: the edit changed them",
+            )
+            self.said.emit(words)
         self.changed.emit()
 
     def _tell_problem(self, error: Exception) -> None:

@@ -79,10 +79,10 @@ class ReviewPanel(Panel):
         body.setSpacing(4)
         body.addLayout(self._choices)
         body.addWidget(self._list, 1)
+        body.addLayout(self._decisions)  # right below the rows: in sight in a low place, too
         body.addWidget(self._also)
         body.addWidget(self.strip)
         body.addWidget(self.learned)
-        body.addLayout(self._decisions)
         for words in (self._title, self._text, self._ask, self._doing, self._meter):
             body.addWidget(words)
         self._body = body

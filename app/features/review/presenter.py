@@ -10,6 +10,7 @@ from app.core.colours.track_colours import ColourOf
 from app.core.i18n import N_, count_text, time_text, tr
 from app.core.scenes import MarkKind, TimelineMark
 from app.core.scenes.queue_rows import ReviewPerson, ReviewRow
+from app.features.review.reopened_items import DecidedAndOpen, count_reopened
 from app.features.review.scene import Order, ReviewKind
 from tracking.editing import Change, plan_verdict, with_verdict
 from tracking.review import (
@@ -82,6 +83,8 @@ class ReviewQueue:
     Attributes:
         kind: the one that is listed, "" for all. order: of the list.
         state: how far the review is. is_searched: its tracks were looked through.
+        reopened: how many that were decided were found in another shape by the last search, and
+            so are open again.
     """
 
     def __init__(self, fps: float, colour_of: ColourOf) -> None:
@@ -91,6 +94,7 @@ class ReviewQueue:
         self._finding = ReviewFinding()
         self.state = ReviewState()
         self.is_searched = False
+        self.reopened = 0
         self._shown: tuple[ReviewItem, ...] = ()
         self._current: ReviewItemKey | None = None
         self._returns_to: ReviewItemKey | None = None
@@ -133,13 +137,22 @@ class ReviewQueue:
 
     def take(self, finding: ReviewFinding, labels: Labels, table: TrackTable | None = None) -> None:
         """Take what was found in a table, less what people have decided or reviewed."""
+        before = self._decided_and_left(labels)
         self._finding = finding
         self._table = TrackTable() if table is None else table
         self.is_searched = True
         self.take_labels(labels)
+        self.reopened = count_reopened(before, self._decided_and_left(labels), self._fps)
         if self._returns_to is not None:
             self.return_to(self._returns_to)
             self._returns_to = None
+
+    def _decided_and_left(self, labels: Labels) -> DecidedAndOpen:
+        """The items found that are decided, but for those put right, and those that are left."""
+        left = {one.key for one in self.state.left}
+        fixed = {key for key, said in labels.verdicts.items() if said.decision == "fixed"}
+        decided = [one for one in self.state.found if one.key not in left | fixed]
+        return decided, self.state.left
 
     def take_labels(self, labels: Labels) -> None:
         """Take what people have decided by now, and learn from it."""

@@ -14,6 +14,10 @@ from app.core.look.theme import current_theme
 class QueueView(QListView):
     """A list of whole rows that keeps its current one in sight, also when it gets less room."""
 
+    def sizeHint(self) -> QSize:  # noqa: N802 - Qt's name
+        """No higher than it must be: it has what is left, and in a low place buttons are seen."""
+        return QSize(super().sizeHint().width(), self.minimumHeight())
+
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
         """The list was given other room: what is left below the last whole row stays empty."""
         super().resizeEvent(event)

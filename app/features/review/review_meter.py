@@ -43,7 +43,7 @@ class MeterWords:
         if not (decided or corrected):
             return ""
         words = [
-            _watched_text(minutes),
+            tr("Since it was opened: {watched}", watched=_watched_text(minutes)),
             count_text(decided, "{n} decided", "{n} decided"),
             count_text(corrected, "{n} corrected", "{n} corrected"),
         ]
@@ -67,7 +67,7 @@ def _watched_text(minutes: float) -> str:
 
 
 def _corrections(history: History) -> int:
-    return sum(not entry.undone and is_correction(entry.kind) for entry in history)
+    return sum(is_correction(entry.kind) for entry in history.in_force)
 
 
 def is_correction(kind: str) -> bool:

@@ -147,14 +147,13 @@ class FiguresTable(QTableWidget):
         return QSize(width, super().sizeHint().height())
 
     def _give_names_room(self, rows: Sequence[ScoreRow]) -> None:
-        """Figures side by side: rather no arrows, then no frames shown, than cut names.
+        """Where there is little room: rather no arrows, then no frames shown, than cut names.
 
         Tooltips tell both.
         """
-        if self.groups == 1:
-            return
-        letters = self.fontMetrics().horizontalAdvance
-        names = max((letters(row.short or row.name) for row in rows), default=0) + _TIGHT_PAD_PX
+        letters, several = self.fontMetrics().horizontalAdvance, self.groups > 1
+        told = [(several and row.short) or row.name for row in rows]
+        names = max(map(letters, told), default=0) + _TIGHT_PAD_PX
         each = self.viewport().width() // self.groups
         left_out = {2} if self.groups == _MOST_GROUPS else set()
         for part in (3, 2):

@@ -6,6 +6,7 @@ from PySide6.QtCore import QMimeData, QPoint, QPointF, Qt, QUrl
 from PySide6.QtGui import QDropEvent
 from PySide6.QtWidgets import QLabel, QPushButton, QWidget
 
+from app.core.i18n import use_language
 from app.core.scenes import CommandItem, RecentItem, WelcomeScene
 from app.features.welcome.welcome import WelcomePage
 from app.features.welcome.welcome_parts import RecentRow
@@ -50,6 +51,24 @@ def test_what_can_be_done_now_comes_before_what_cannot_and_matches_as_well():
     scattered = CommandItem("a.b", "View", "Sort columns or reset", (), True)
     assert match_score("score", unable.title) > match_score("score", able.title)
     assert best_commands("score", (scattered, unable, able)) == [able, unable]
+
+
+def test_a_title_comes_before_further_words_and_is_found_in_english_too():
+    also = "language English Japanese"
+    ja = CommandItem("ja", "表示", "言語: 日本語", (), True, also=also, english="Language: 日本語")
+    en = CommandItem(
+        "en", "表示", "言語: English", (), True, also=also, english="Language: English"
+    )
+    reset = CommandItem("view.reset", "表示", "配置を戻す", (), True, english="Reset layout")
+    assert best_commands("English", (ja, reset, en)) == [en, ja]
+    assert best_commands("reset lay", (ja, reset, en)) == [reset]
+
+
+def test_commands_know_their_english_titles_in_another_language(controller, window):
+    use_language("ja")
+    item = window.registry.item("view.layout_reset")
+    use_language("en")
+    assert item.title != item.english == "Reset layout"
 
 
 def test_letters_strewn_over_a_command_do_not_find_it():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from app.core.document.document import Document
-from app.core.projection.extent import extent, unite
+from app.core.projection.extent import extent, full_extent, unite
 from app.shell.recording_scenes import RecordingScenes
 from tracking.recording import open_recording
 from tracking.session import Session
@@ -23,6 +23,23 @@ def test_places_that_are_not_known_or_near_the_horizon_do_not_count():
     assert extent(rows((0.0, 2.0), (np.nan, np.nan), (5.0, 900.0)), 8.0) == (-1.0, 1.0, 1.0, 3.0)
     assert extent(rows((np.nan, np.nan)), 8.0) is None
     assert extent(rows(), 8.0) is None
+
+
+def test_a_few_places_far_from_where_most_are_do_not_count_and_are_known_all_the_same():
+    near = [(x / 10.0, 5.0 + x / 10.0) for x in range(100)]
+    far = [(4.0, 29.0), (5.0, 30.0)]
+    assert extent(rows(*near, *far), 8.0) == extent(rows(*near, (4.0, 19.5)), 8.0)
+    assert full_extent(rows(*near, *far), 8.0)[3] == 31.0
+
+
+def test_an_edit_of_who_is_far_away_leaves_the_map_as_it_is(document):
+    floor = RecordingScenes(document).overhead
+    near = [(x / 10.0, 5.0) for x in range(100)]
+    floor.take(rows(*near, (0.0, 28.0)))
+    before = floor.bounds
+    assert before[3] < 28.0
+    floor.take_more(rows((0.0, 28.0)))
+    assert floor.bounds == before
 
 
 def test_what_lies_within_changes_nothing():

@@ -6,15 +6,17 @@ from collections.abc import Iterator
 from dataclasses import replace
 
 import pytest
-from PySide6.QtCore import QCoreApplication, QEvent, QLocale, QPointF
+from PySide6.QtCore import QCoreApplication, QEvent, QLocale, QPointF, QRect
 from PySide6.QtWidgets import QDialogButtonBox, QFileDialog, QLabel
 
+from app.core.jobs.job_list import JobState
 from app.core.widgets.user_settings import UserSettings
 from app.features.review.scene import Order
 from app.shell import language_choice
 from app.shell.application import start_application
 from app.shell.language_choice import chosen_language, name_of_language, why_unreadable
 from app.shell.main_window import MainWindow
+from app.shell.panel_docks import Dock
 from app.shell.shutdown_signals import take_down
 from app.shell.window_host import WindowHost
 from tracking.translation import language_in_use, use_catalogue
@@ -151,6 +153,27 @@ def test_panels_layout_and_zooms_stay(opened, qtbot) -> None:
     assert new.workspace.left.zoomed_to.scale == pytest.approx(seen.scale, rel=0.05)
     now = new.workspace.timeline.area.stretch.axis
     assert (now.start, now.frames) == pytest.approx((axis.start, axis.frames))
+
+
+def test_a_panel_in_a_window_of_its_own_stays_where_it_stood_above_its_window(opened, qtbot):
+    window = opened.window
+    window.workspace.docks.move("history", Dock.WINDOW)
+    own = window.workspace.docks.panels["history"].window()
+    room = window.screen().availableGeometry()
+    place = QRect(room.right() - own.width(), 90, own.width(), own.height())  # at the very edge
+    own.setGeometry(place)
+    change(opened, qtbot)
+    own = opened.window.workspace.docks.panels["history"].window()
+    assert own.isVisible()
+    assert (own.geometry().topLeft() - place.topLeft()).manhattanLength() < 40
+    assert own.windowHandle().transientParent() is opened.window.windowHandle()
+
+
+def test_what_ended_stands_in_the_list_of_jobs_still(opened, qtbot, tmp_path):
+    jobs = opened.window.work.jobs
+    jobs.end(jobs.begin("Batch of recordings"), JobState.DONE, place=tmp_path)
+    change(opened, qtbot)
+    assert "Batch of recordings" in [one.title for one in opened.window.work.jobs.lines]
 
 
 def test_the_place_in_the_review_queue_stays(opened, qtbot) -> None:

@@ -3,16 +3,17 @@
 from __future__ import annotations
 
 import threading
+from dataclasses import replace
 
 import av
 import pytest
 from PySide6.QtCore import Qt
 from PySide6.QtTest import QTest
-from PySide6.QtWidgets import QPushButton
+from PySide6.QtWidgets import QPushButton, QWidget
 
 from app.core.widgets.jobs_dialog import JobsDialog
 from app.features.pictures.clip import ClipChoice, ClipKind
-from app.features.pictures.clip_dialog import ClipDialog
+from app.features.pictures.clip_dialog import ClipDialog, ClipOffer, ClipStretch
 
 CHOICE = ClipChoice(ClipKind.MP4, 32, 48, 160, 8.0, floor=True)
 
@@ -46,6 +47,34 @@ def test_the_dialog_proposes_the_range_then_the_selected_person(window, controll
     (choice,) = asked
     assert (choice.start, choice.stop) == (int(frames[0]), int(frames[-1]) + 1)
     assert (choice.kind, choice.follow) == (ClipKind.GIF, track)
+
+
+def test_the_dialog_offers_the_current_review_item(window, controller, qtbot):
+    qtbot.waitUntil(lambda: bool(controller.reviewing.queue.items))
+    controller.reviewing.walk(1)
+    window.files.clips.ask()
+    dialog = dialog_of(window, ClipDialog)
+    item = controller.reviewing.current
+    assert (dialog.choice.start, dialog.choice.stop) == (max(0, item.start), item.end)
+    dialog.close()
+
+
+def test_the_dialog_remembers_what_was_chosen_and_not_whom_to_follow(qtbot):
+    offer = ClipOffer([ClipStretch("all", 0, 80)], 8.0, 720, "4", 4, stereo=True, floor=True)
+    parent = QWidget()
+    qtbot.addWidget(parent)
+    first = ClipDialog(offer, parent)
+    first._kind.setCurrentIndex(1)
+    for box in (first._floor, first._follow, first._trails):
+        box.toggle()
+    first._height.setValue(200)
+    second = ClipDialog(offer, parent, first.remembered)
+    assert second.choice == replace(first.choice, follow=0)
+    assert (second.choice.floor, second.choice.trails) == (True, False)
+    without = ClipDialog(replace(offer, floor=False), parent, first.remembered)
+    assert not without.choice.floor
+    assert ClipDialog(offer, parent, without.remembered).choice.floor
+    assert ClipDialog(offer, parent, "kind=99 height=x rate").choice.height_px == 720
 
 
 def test_a_clip_is_written_behind_all_else_and_can_be_opened(

@@ -9,6 +9,7 @@ import pytest
 from correcting_window import open_for_correcting
 from PySide6.QtCore import QPointF, QRectF, Qt
 
+from app.core.projection.concern import CONCERNED, Concern, parts_concerned
 from app.features.scoring.controller import ScoreController
 from app.shell.files import Files
 from tracking.editing import plan_delete
@@ -60,6 +61,19 @@ def test_n_closes_up_on_its_people_in_both_pictures_and_overhead(looked, views, 
 def _whole_scale(view):
     area, content = view._area(), view.content()
     return min(area.width() / content.width(), area.height() / content.height())
+
+
+def test_whoever_fills_the_image_is_not_shown_smaller_than_all_of_it(controller):
+    recording = controller.document.recording
+    width, height = recording.size
+    rows = controller.document.tracks.of_frame(40)
+    large = {name: rows[name][:1].copy() for name in CONCERNED}
+    large["left"][:], large["top"][:] = -0.1 * width, 0.1 * height
+    large["width"][:], large["height"][:] = 0.9 * width, 1.2 * height
+    left, top, across, along = parts_concerned(recording, Concern(large, 40, 41)).left
+    assert min(left, top) >= 0
+    assert across <= width
+    assert along <= height
 
 
 def test_esc_goes_back_and_leaves_the_playhead(looked, views, press, controller):

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from correcting_window import open_for_correcting
 from PySide6.QtCore import QPoint, QPointF, Qt
-from PySide6.QtGui import QGuiApplication
+from PySide6.QtGui import QFont, QFontMetrics, QGuiApplication
 from PySide6.QtTest import QTest
 
 from app.core.document.track_sources import SHOWN
@@ -96,7 +96,7 @@ def test_counters_stand_at_lines_and_regions_for_the_frame_shown(window, counted
             part = found.of_line(number)
             ahead, back = part.rows(part.frame <= frame).totals
             assert told[line.name] == f"{ahead} forward, {back} backward"
-        assert said_on(window.workspace.overhead).keys() == {"gate", "hall"}
+        assert said_on(window.workspace.overhead).keys() == {"gate", "hall", "screen"}
     here = columns["frame"] == frame
     within = (np.abs(columns["x"]) < 3) & (columns["y"] > 2) & (columns["y"] < 6) & here
     people = np.count_nonzero(within)
@@ -218,6 +218,10 @@ def test_every_step_stands_in_the_table_and_is_copied(window, counted, qtbot):
     step = int(counts.regions[0].people.argmax())
     row = lines[1 + step].split("\t")
     assert row[5] == str(counts.regions[0].people[step])
+    bold = QFont(table.font())
+    bold.setBold(True)
+    last = table.steps.text(table.steps.rowCount() - 1, 0)
+    assert table.columnWidth(0) > QFontMetrics(bold).horizontalAdvance(last) + 4
     table.selectRow(3)
     QTest.keyClick(table, Key.Key_C, Qt.KeyboardModifier.ControlModifier)
     assert len(QGuiApplication.clipboard().text().splitlines()) == 2
@@ -302,7 +306,9 @@ def test_a_line_is_drawn_in_the_picture_and_counts_feet(window, controller, pres
     (outline,) = window.workspace.left._labels.outlines
     tail, tip = outline.arrow
     assert tip[1] > tail[1]  # to the right of its way is down the picture
-    assert window.workspace.overhead._labels.outlines == ()
+    (below,) = window.workspace.overhead._labels.outlines
+    assert below.points[0][0] < below.points[-1][0]  # on the floor, from left to right
+    assert below.arrow[1][1] < below.arrow[0][1]  # and its right is towards the camera
     at_rest(controller, qtbot)
     columns = controller.document.session.tracks.columns()
     found = passages(columns, controller.document.recording.fps, [line])

@@ -3,12 +3,14 @@
 from __future__ import annotations
 
 import threading
+from types import SimpleNamespace
 
 import pytest
 from patient import PATIENCE_S
 
-from app.core.jobs.job_list import JobState
+from app.core.jobs.job_list import JobList, JobState
 from app.core.widgets.jobs_dialog import JobsDialog
+from app.shell.listed_work import ListedWork
 
 
 @pytest.fixture
@@ -29,6 +31,31 @@ def test_the_tracker_at_work_is_listed_and_cancelled_from_the_list(
     qtbot.waitUntil(lambda: titles() == [])
     assert not window.controller.live.running
     assert "not kept" in window.statusBar().currentMessage()
+
+
+def test_what_may_end_with_a_result_is_stopped_so_from_the_list(window, controller, qtbot):
+    jobs, kept = window.work.jobs, []
+    number = jobs.begin("Tracking", lambda: None)
+    jobs.show(number, 0.2, None)
+    qtbot.waitUntil(lambda: bool(jobs.running))
+    window.show_jobs()
+    dialog = window.findChild(JobsDialog)
+    row = dialog._rows[number]
+    assert not row._keep.isVisible()
+    jobs.show(number, 0.5, None, lambda: kept.append(number))
+    qtbot.waitUntil(row._keep.isVisible)
+    row._keep.click()
+    assert kept == [number]
+    dialog.close()
+
+
+def test_the_tracker_at_work_may_keep_its_result_once_there_is_one(qapp):
+    jobs, listed = JobList(), []
+    work, live = ListedWork(jobs), SimpleNamespace(running=True, tracker="flow")
+    live.share = live.seconds_left = None
+    for keep in (None, listed.append):
+        work.take_tracking(live, lambda: None, keep)
+        assert jobs._lines[1].keep is keep
 
 
 def test_work_that_all_else_waits_for_is_listed_with_its_progress(window, controller, qtbot):

@@ -2,8 +2,9 @@
 
 import pytest
 from correcting_window import Hands, open_for_correcting
-from PySide6.QtCore import QPoint, Qt
+from PySide6.QtCore import QPoint, QRect, Qt
 
+from app.core.jobs.job_list import JobState
 from tracking.errors import SessionError
 
 Key = Qt.Key
@@ -87,7 +88,8 @@ def test_the_page_does_not_move_when_something_is_told(window, hands, qtbot):
         qtbot.wait(5)
         after = window.workspace.mapToGlobal(QPoint(0, 0)), window.workspace.size()
         assert after == before
-        assert window.notice.width() == window.centralWidget().width()
+        assert window.notice.x() == 0
+        assert window.notice.width() > 0.9 * window.centralWidget().width()
         shown = window.childAt(window.notice.geometry().center() - QPoint(0, 3))
         assert shown is window.notice or window.notice.isAncestorOf(shown)
 
@@ -122,6 +124,17 @@ def test_what_is_told_hides_neither_a_passing_word_nor_the_progress(window, hand
     assert window.notice.geometry().intersects(line)
     window.progress.show_scene("Scoring", 0.5)
     assert not window.notice.geometry().intersects(line)
+
+
+def test_what_is_told_leaves_the_button_of_the_list_of_jobs_in_sight(window, hands, qtbot):
+    jobs = window.work.jobs
+    jobs.end(jobs.begin("Exporting"), JobState.FAILED)
+    qtbot.waitUntil(window.jobs_button.isVisible)
+    window.notice.say("Exported", "Open", lambda: None)
+    button = window.jobs_button
+    place = QRect(button.mapTo(window, QPoint(0, 0)), button.size())
+    qtbot.waitUntil(lambda: not window.notice.geometry().intersects(place))
+    assert window.notice.geometry().bottom() > place.top()
 
 
 @pytest.mark.parametrize("size", [(1280, 688), (1920, 1040)])

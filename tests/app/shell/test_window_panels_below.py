@@ -13,6 +13,7 @@ from app.features.counting.panel import CountingPanel
 from app.features.parts.panel import CurvesPanel
 from app.shell.below_floor import BelowFloor
 from app.shell.features import FEATURES
+from app.shell.panel_docks import Dock
 
 
 def _tabs(window):
@@ -31,6 +32,23 @@ def test_the_panel_opened_last_is_shown_and_the_other_is_a_tab_away(window, cont
     assert view.overhead.height() > 0.8 * room
     view.findChild(BelowFloor, "below floor").findChild(QTabBar).setCurrentIndex(0)
     assert (view.of(CountingPanel).isVisible(), view.of(CurvesPanel).isVisible()) == (True, False)
+
+
+def test_the_queue_below_the_floor_has_its_buttons_in_sight_and_no_scroll_bar_across(
+    window, controller, qtbot
+):
+    window.resize(1280, 800)
+    qtbot.waitUntil(lambda: bool(controller.reviewing.queue.items))
+    docks = window.workspace.docks
+    docks.move("review", Dock.BELOW)
+    controller.reviewing.walk(1)
+    panel = docks.panels["review"]
+    page = panel.parent().parent()
+    qtbot.waitUntil(lambda: not page.horizontalScrollBar().isVisible())
+    assert panel._tools
+    qtbot.waitUntil(
+        lambda: all(tool.visibleRegion().boundingRect() == tool.rect() for tool in panel._tools)
+    )
 
 
 def test_closing_a_panel_shows_the_one_that_is_left_and_then_none(window, controller):

@@ -192,3 +192,18 @@ def test_a_closed_part_keeps_the_share_it_had(window, controller, remembered, qt
     qtbot.waitUntil(lambda: shared.sizes()[1] == 0)
     space.remember(remembered)
     assert float(remembered.text(key).split()[1]) == share > 0
+
+
+def test_a_window_of_a_panel_waits_for_the_window_it_belongs_to(window, controller):
+    """Shown before that it would lie behind it."""
+    docks = window.workspace.docks
+    docks.move("history", Dock.WINDOW)
+    own = docks.panels["history"].window()
+    assert own.isVisible()
+    window.workspace.hide()
+    assert not own.isVisible()
+    docks.set_open("history", False)
+    docks.set_open("history", True)
+    assert not own.isVisible()
+    window.workspace.show()
+    assert own.isVisible()

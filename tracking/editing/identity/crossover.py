@@ -11,7 +11,7 @@ from tracking.arrays import Floats
 from tracking.editing.identity.courses import Courses, Frames, courses_of, swap_gain
 from tracking.errors import EditError
 from tracking.tracks import CLOTHES, Columns, TrackTable, check_known
-from tracking.translation import joined, msg
+from tracking.translation import Message, joined, msg
 
 _REACH_M = 0.55
 _APART_WEIGHT = 2.0
@@ -35,6 +35,8 @@ _NOISE = {**dict.fromkeys(CLOTHES, 7.0), "height_m": 0.07}
 _TOGETHER = 8.0
 """So many frames on end tell as much as one look: light and pose change slowly."""
 _LARGEST = 14.0
+_TOLD_M = 0.1
+"""Of two distances that differ by more it is said which one is meant."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -46,12 +48,15 @@ class SwapFrame:
         likelihood: 0 to 1, that it was here or within two frames, if they changed over at all.
         text: why, in words.
         shown: how they walk or how they look speaks for it.
+        apart_m: how far apart they were there, or in the frame before where that is less; NaN
+            where there are no metres.
     """
 
     frame: int
     likelihood: float
     text: str
     shown: bool = True
+    apart_m: float = float("nan")
 
 
 def propose_swap_frames(
@@ -109,13 +114,15 @@ class _Judged:
 
     Attributes:
         frames: (n,). walks, looks: (n,) log-likelihood ratios that they changed over there.
-        apart: (n,) m between them. score: (n,) all together; -inf: it is not proposed.
+        apart: (n,) m between them, there or in the frame before: see `_apart`. here: (n,) there.
+        score: (n,) all together; -inf: it is not proposed.
     """
 
     frames: Frames
     walks: Floats
     looks: Floats
     apart: Floats
+    here: Floats
     score: Floats
 
     @property
@@ -132,22 +139,32 @@ class _Judged:
             at: SwapFrame(
                 int(self.frames[at]),
                 _around(self.frames, share, at),
-                _text(self.walks[at], self.looks[at], self.apart[at], courses),
+                self._text(at, courses),
                 bool(shown[at]),
+                float(self.apart[at]) if courses.in_metres else float("nan"),
             )
             for at in _peaks(self.frames, self.score, most, first)
         }
         order = sorted(proposals, key=lambda at: (at != first, -proposals[at].likelihood))
         return tuple(proposals[at] for at in order)
 
+    def _text(self, at: int, courses: Courses) -> str:
+        before = self.here[at] - self.apart[at] > _TOLD_M
+        reasons = [_apart_text(self.apart[at], before, courses.in_metres)]
+        if self.walks[at] > _SPEAKS:
+            reasons.append(msg("each walks on as the other did"))
+        if self.looks[at] > _SPEAKS:
+            reasons.append(msg("their appearances swap"))
+        return joined(", ", reasons)
+
 
 def _judged(courses: Courses, frames: Frames, looks: Floats, near: int | None) -> _Judged:
     """What speaks for each cut; see `propose_swap_frames`."""
-    walks, apart = swap_gain(courses, frames), _apart(courses, frames)
+    walks, (apart, here) = swap_gain(courses, frames), _apart(courses, frames)
     score = walks + looks - _APART_WEIGHT * np.log1p(np.square(apart / _REACH_M))
     if near is not None:
         score = score - _NEAR_WEIGHT * np.minimum(np.abs(frames - near) / _NEAR_FRAMES, 2.0)
-    return _Judged(frames, walks, looks, apart, score)
+    return _Judged(frames, walks, looks, apart, here, score)
 
 
 def _frame_in_flagged(
@@ -170,7 +187,7 @@ def _meeting(table: TrackTable, a: int, b: int, near: int | None) -> tuple[Cours
         around = (max(near - _AROUND_FRAMES, 0), near + _AROUND_FRAMES)
         courses = courses_of(table, a, b, *around)
         frames = _cuts(courses)
-        if len(frames) and _apart(courses, frames).min() < _MET_M:
+        if len(frames) and _apart(courses, frames)[0].min() < _MET_M:
             return courses, frames
     courses = courses_of(table, a, b)
     return courses, _cuts(courses)
@@ -186,13 +203,13 @@ def _cuts(courses: Courses) -> Frames:
     end = min(courses.a.frames[-1], courses.b.frames[-1])
     frames = frames[(frames >= start) & (frames <= end)]
     if len(frames) > _MOST_FRAMES:
-        apart = _apart(courses, frames)
+        apart, _ = _apart(courses, frames)
         frames = np.sort(frames[np.argpartition(apart, _MOST_FRAMES)[:_MOST_FRAMES]])
     return frames
 
 
-def _apart(courses: Courses, frames: Frames) -> Floats:
-    """(n,) m between them at each cut: the less of the frame and the one before it.
+def _apart(courses: Courses, frames: Frames) -> tuple[Floats, Floats]:
+    """(n,) m between them at each cut: the less of the frame and the one before it; in the frame.
 
     Where one is missing, between where they were before and are after.
     """
@@ -201,7 +218,7 @@ def _apart(courses: Courses, frames: Frames) -> Floats:
         for way in (courses.a, courses.b)
     ]
     apart = np.linalg.norm(places[0] - places[1], axis=1)
-    return np.asarray(np.minimum(apart, np.concatenate([apart[:1], apart[:-1]])))
+    return np.asarray(np.minimum(apart, np.concatenate([apart[:1], apart[:-1]]))), apart
 
 
 def _peaks(frames: Frames, score: Floats, most: int, first: int | None) -> list[int]:
@@ -220,18 +237,14 @@ def _around(frames: Frames, share: Floats, at: int) -> float:
     return float(share[np.abs(frames - frames[at]) <= 2].sum())
 
 
-def _text(walks: float, looks: float, apart: float, courses: Courses) -> str:
-    reasons = [
-        msg(
-            "{apart:.1f} m apart" if courses.in_metres else "{apart:.1f} m or so apart",
+def _apart_text(apart: float, before: bool, in_metres: bool) -> Message:
+    """How close they were; before: in the frame before, closer than in the cut's own."""
+    if before:
+        return msg(
+            "{apart:.1f} m apart just before" if in_metres else "{apart:.1f} m or so just before",
             apart=apart,
         )
-    ]
-    if walks > _SPEAKS:
-        reasons.append(msg("each walks on as the other did"))
-    if looks > _SPEAKS:
-        reasons.append(msg("their appearances swap"))
-    return joined(", ", reasons)
+    return msg("{apart:.1f} m apart" if in_metres else "{apart:.1f} m or so apart", apart=apart)
 
 
 def looks_changed(signals: Columns | None, a: int, b: int, cuts: NDArray[np.int32]) -> Floats:

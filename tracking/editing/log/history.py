@@ -185,6 +185,18 @@ class History:
         """The later edit in force that takes this one back alone; 0: none does."""
         return self._takers.get(number, 0)
 
+    @property
+    def in_force(self) -> Iterator[Entry]:
+        """The edits whose effect is there, oldest first: neither undone nor taken back alone.
+
+        An edit that takes one back is none of them: both together are nothing.
+        """
+        return (
+            one
+            for one in self._entries
+            if not one.undone and not one.undoes and one.id not in self._takers
+        )
+
     def why_not_alone(self, number: int) -> str:
         """Why an edit cannot be undone alone, in one line; "" where it can.
 

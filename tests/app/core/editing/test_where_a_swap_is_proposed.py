@@ -25,28 +25,32 @@ def test_one_that_is_much_likelier_stays_first():
     assert [one.frame for one in swap_candidates.nearest_of_likely(found, 100)] == [900, 110]
 
 
-def _said_of(apart_m: float, others: int) -> str:
+def _said_of(apart_m: float, others: int, asked_at: int = 50) -> tuple[str, ...]:
     """What the panel says of the first frame found for two who stand so far apart."""
-    rows = dict(two_people.columns())
-    late = rows["track"] == 7
-    rows["y"] = np.where(late, 5.0 + apart_m, rows["y"]).astype(rows["y"].dtype)
-    on = EditContext(TrackTable(rows), Labels(), RecordingGeometry(None, 100, 10.0, (640, 480)))
-    found = (SwapFrame(50, 1.0 - 0.2 * others, "reasons"), *[SwapFrame(80, 0.2, "less")] * others)
-    flow = EditFlow.begin(edits.SWAP, 4, 50, 10.0).with_other(7, found)
-    return preview_plan(flow, on).scene.details[0]
+    on = EditContext(two_people.table(), Labels(), RecordingGeometry(None, 100, 10.0, (640, 480)))
+    first = SwapFrame(50, 1.0 - 0.2 * others, "reasons", apart_m=apart_m)
+    found = (first, *[SwapFrame(80, 0.2, "less")] * others)
+    flow = EditFlow.begin(edits.SWAP, 4, asked_at, 10.0).with_other(7, found)
+    return preview_plan(flow, on).scene.details
 
 
 def test_of_several_frames_the_share_is_told():
-    assert _said_of(0.3, others=1) == "Frame 50 (00:05.00), 80 %: reasons"
+    assert _said_of(0.3, others=1)[0] == "Frame 50 (00:05.00), 80 %: reasons"
 
 
 def test_a_single_frame_is_told_as_the_only_one_found_and_not_as_certain():
-    assert _said_of(0.3, others=0) == "Frame 50 (00:05.00), the only frame found: reasons"
+    assert _said_of(0.3, others=0)[0] == "Frame 50 (00:05.00), the only frame found: reasons"
 
 
 def test_two_who_are_far_apart_are_not_told_as_having_changed_over():
-    said = _said_of(3.0, others=0)
-    assert said == "Frame 50 (00:05.00), 3.0 m apart here: reasons"
+    said = _said_of(3.0, others=0)[0]
+    assert said == "Frame 50 (00:05.00), unlikely here: reasons"
+
+
+def test_it_says_why_the_edit_begins_elsewhere_than_where_it_was_asked_for():
+    why = "Begins here, not in frame 44: of the frames nearby a swap is likeliest here"
+    assert why in _said_of(0.3, others=1, asked_at=44)
+    assert why not in _said_of(0.3, others=1)
 
 
 def test_where_nothing_speaks_for_a_frame_that_is_said():

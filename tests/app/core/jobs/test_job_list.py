@@ -124,3 +124,16 @@ def test_what_nobody_wants_any_more_goes_without_a_word(jobs, now_s):
     now_s[0] += 10.0
     jobs.drop(number)
     assert jobs.lines == ()
+
+
+def test_another_list_goes_on_with_what_ended_and_begins_none_of_it_again(jobs, now_s, tmp_path):
+    jobs.end(jobs.begin("one"), JobState.DONE, place=tmp_path)
+    jobs.end(jobs.begin("two"), JobState.STOPPED, again=lambda: None)
+    jobs.begin("three")
+    now_s[0] += 10.0
+    other = JobList()
+    other.take_over(jobs.lines)
+    assert [line.title for line in other.lines] == ["two", "one"]
+    assert [line.place for line in other.lines] == [None, tmp_path]
+    assert all(line.again is None for line in other.lines)
+    assert other.begin("four") not in {line.number for line in jobs.lines[1:]}

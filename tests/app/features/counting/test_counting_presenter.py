@@ -8,7 +8,7 @@ from two_people import FRAMES, columns
 
 from app.core.document.document import Document
 from app.features.counting.plots import plots_of
-from app.features.counting.presenter import CountingPresenter, least_step_s
+from app.features.counting.presenter import CountingPresenter, least_step_s, usual_step_s
 from app.features.counting.subject import Length, count_subject
 from tracking.counting import CountingLine, Steps, count
 from tracking.errors import CancelledError, CountingError
@@ -111,6 +111,14 @@ def test_the_shortest_step_that_can_be_chosen_is_one(fps):
     assert round(shortest_s, 2) == shortest_s
     assert len(Steps.of(FRAMES, fps, shortest_s)) >= 1  # a shorter one is refused
     assert shortest_s - 0.01 < 1 / fps
+
+
+@pytest.mark.parametrize(
+    ("seconds", "step_s"), [(10, 0.5), (20, 0.5), (65, 2.0), (600, 15.0), (7200, 300.0)]
+)
+def test_the_usual_step_gives_a_few_dozen_rows_at_most(seconds, step_s):
+    assert usual_step_s(25 * seconds, 25.0) == step_s
+    assert len(Steps.of(25 * seconds, 25.0, step_s)) <= 42
 
 
 def test_nothing_is_plotted_beyond_the_frames_that_were_tracked():

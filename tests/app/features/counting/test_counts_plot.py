@@ -4,6 +4,7 @@ import numpy as np
 import pytest
 
 from app.core.plots.axis import TimeAxis
+from app.features.counting import counts_plot
 from app.features.counting.counts_plot import CountsPlot
 from app.features.counting.scene import FORWARD_COLOUR, CountCurve, CountingScene, CountPlot
 
@@ -43,3 +44,15 @@ def test_a_single_high_count_is_drawn_higher_than_those_around_it(plot, drawn, d
         return min(inked)
 
     assert highest(1003) + 60 < highest(420)
+
+
+def test_curves_of_two_plots_are_explained_once(plot, drawn, monkeypatch):
+    told = []
+    monkeypatch.setattr(counts_plot, "_draw_key", lambda _, plot, *__: told.append(plot.name))
+    both = tuple(
+        CountCurve(label, np.ones(FRAMES), FORWARD_COLOUR) for label in ("forward", "backward")
+    )
+    plots = (CountPlot("So far", "", both, 1.0), CountPlot("Per 1 s", "", both, 1.0))
+    plot.show_scene(CountingScene(plots=plots, frame=0, frame_count=FRAMES, fps=20.0))
+    drawn(plot)
+    assert told == ["So far"]

@@ -36,6 +36,18 @@ def test_what_is_there_says_its_kind_and_day_and_what_has_gone_is_marked(tmp_pat
     assert not other.exists
 
 
+def test_the_folder_of_a_project_is_told_as_one(tmp_path, remembered):
+    remembered.add_recent(tmp_path / "one", "One")
+    remembered.add_recent(tmp_path, "all", project=True)
+    for path in remembered.recent:
+        path.mkdir(exist_ok=True)
+    projects = [path for path in remembered.recent if remembered.is_recent_project(path)]
+    scene = first_page(dict.fromkeys(remembered.recent, ""), projects)
+    assert [item.detail.split()[0] for item in scene.recent] == ["project", "recording"]
+    remembered.add_recent(tmp_path, "all")
+    assert not remembered.is_recent_project(tmp_path)
+
+
 def test_a_path_that_no_file_can_have_is_marked_as_gone():
     odd = [Path("/a/with\0nothing.h5"), Path("/a") / ("long" * 100)]
     assert [item.exists for item in first_page(dict.fromkeys(odd, "Lobby")).recent] == [False] * 2

@@ -1,9 +1,16 @@
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
-from PySide6.QtCore import QPointF, QRectF
+from PySide6.QtCore import QPoint, QPointF, QRectF
+from PySide6.QtGui import QColor, QImage, QPainter
 
-from app.features.pictures.box_handles import INSIDE, Grip, handle_at, handles_of
+from app.features.pictures.box_handles import (
+    INSIDE,
+    Grip,
+    draw_outline_beyond,
+    handle_at,
+    handles_of,
+)
 
 RECT = QRectF(100, 50, 80, 160)
 
@@ -54,3 +61,14 @@ def test_a_dragged_box_never_has_a_negative_size_and_the_inside_keeps_it(handle,
     assert min(moved[2:]) >= 0
     if handle == INSIDE:
         assert moved == (10.0 + dx, 20.0 + dy, 30.0, 60.0)
+
+
+def test_a_box_that_goes_beyond_the_picture_keeps_its_outline_with_its_handles(inked):
+    shot = QImage(300, 300, QImage.Format.Format_RGB32)
+    shot.fill(QColor(0, 0, 0))
+    painter = QPainter(shot)
+    draw_outline_beyond(painter, RECT, QColor(255, 0, 0), shown=QRectF(0, 0, 300, 120))
+    painter.end()
+    line = [QPoint(100, y) for y in range(125, 205, 10)]
+    assert any(inked(shot, at, QColor(255, 0, 0)) for at in line)
+    assert not any(inked(shot, QPoint(100, y), QColor(255, 0, 0)) for y in range(55, 115, 10))

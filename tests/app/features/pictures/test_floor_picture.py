@@ -18,7 +18,7 @@ from app.core.scenes.labels import FloorLabels, Outline
 from app.features.pictures import floor_painter
 from app.features.pictures.floor import scale_bar_plate
 from app.features.pictures.floor_painter import FloorInput, FloorPainter, blank_image
-from app.features.pictures.floor_picture import write_floor
+from app.features.pictures.floor_picture import legible, write_floor
 from tracking.errors import OutputError
 
 
@@ -44,6 +44,15 @@ def test_a_png_has_twice_the_pixels_of_the_view_and_the_person_in_it(given, tmp_
         for dy in range(-24, 25, 2)
     ]
     assert any(near(one, colour) for one in around)
+
+
+def test_a_small_view_gives_a_legible_picture_of_the_same_floor(given):
+    small = replace(given, size=QSize(200, 300))
+    large = legible(small)
+    assert large.size == QSize(600, 900)
+    before, now = small.viewport.point(1.0, 4.0), large.viewport.point(1.0, 4.0)
+    assert (now.x(), now.y()) == pytest.approx((3 * before.x(), 3 * before.y()))
+    assert legible(large) is large
 
 
 def test_an_svg_is_sound_xml_with_names_as_words(given, tmp_path):

@@ -1,5 +1,7 @@
 from __future__ import annotations
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from drawn_scenes import RED, floor_person, overhead
@@ -291,3 +293,14 @@ def highest_change(one, other):
     lines, across = range(one.height()), range(one.width())
     differs = (y for y in lines if any(one.pixel(x, y) != other.pixel(x, y) for x in across))
     return next(differs, one.height())
+
+
+def test_somebody_far_from_all_others_is_not_fitted_and_yet_brought_into_view(view):
+    far = overhead(floor_person(3, (0, 5)), floor_person(4, (0, 40)))
+    left, bottom, right, top = far.bounds
+    view.show_scene(replace(far, all_bounds=(left, bottom, right, 41.0)))
+    view.fit()
+    assert view.content().top() + view.content().height() == top
+    assert not view.rect().contains(view.viewport.point(0, 40).toPoint())
+    view.show_person(4)
+    assert view.rect().contains(view.viewport.point(0, 40).toPoint())

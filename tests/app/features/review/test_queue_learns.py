@@ -136,7 +136,7 @@ def test_what_was_watched_is_told_in_seconds_below_a_minute(minutes, said):
     labels, history = _decided(LOST[:1], "right"), History()
     meter = MeterWords(Labels(), history)
     assert meter.text(Labels(), history, minutes) == ""
-    assert meter.text(labels, history, minutes).startswith(f"{said} watched")
+    assert meter.text(labels, history, minutes).startswith(f"Since it was opened: {said} watched")
 
 
 def test_why_more_or_fewer_errors_are_expected_is_told():

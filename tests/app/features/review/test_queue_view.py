@@ -147,8 +147,8 @@ def test_however_long_the_words_below_are_rows_keep_clear_of_the_buttons(qtbot, 
     panel.resize(300, panel.minimumSizeHint().height())  # of the width it has by now
     panel.layout().activate()
     assert panel._meter.height() >= panel._meter.heightForWidth(panel._meter.width())
-    assert panel._list.geometry().bottom() < panel._also.geometry().top()
-    assert panel._also.geometry().bottom() < panel._tools[0].geometry().top()
+    assert panel._list.geometry().bottom() < panel._tools[0].geometry().top()
+    assert panel._tools[0].geometry().bottom() < panel._also.geometry().top()
 
 
 def test_the_queue_of_another_session_begins_at_its_top(qtbot, dark):

@@ -32,9 +32,9 @@ def test_of_the_kind_of_a_person_and_of_less_chance(groups):
     found = {group.title: [one.frame for one in group.items] for group in groups}
     assert found == {
         "All of this kind: Lost, then found": [20, 50, 90],
-        "All of this kind that are 30% likely or less": [50, 90],
+        "All of this kind that are 30% likely or less to be errors": [50, 90],
         "All of 4 red & blue": [50, 70],
-        "All that are 30% likely or less": [50, 90, 70],
+        "All that are 30% likely or less to be errors": [50, 90, 70],
     }
 
 

@@ -1,4 +1,4 @@
-from types import SimpleNamespace
+from dataclasses import replace
 
 import pytest
 from hypothesis import given
@@ -6,6 +6,8 @@ from hypothesis import strategies as st
 
 from app.features.review.review_meter import _corrections
 from app.features.review.watched_ranges import WatchedRanges
+from tracking.editing import History, plan_draw_box
+from tracking.tracks import TrackTable
 
 FPS = 10.0
 
@@ -57,5 +59,21 @@ def test_the_stretch_holds_the_frame_that_is_shown(frames):
 
 @pytest.mark.parametrize("kind", ["label", "unlabel", "occluders", "lines", "regions", "rename"])
 def test_labels_are_no_corrections_of_tracks(kind):
-    entries = [SimpleNamespace(undone=False, kind=one) for one in (kind, "swap")]
-    assert _corrections(entries) == 1
+    log = _log(kind, "swap")
+    assert _corrections(log) == 1
+
+
+def test_an_edit_taken_back_alone_is_no_correction_and_nor_is_taking_it_back():
+    log = _log("split", "rename")
+    change = log.entry(1).change
+    log.add(log.draft(replace(change.inverse, kind="undo"), "2026-01-01", "ann", undoes=1))
+    assert _corrections(log) == 0
+
+
+def _log(*kinds):
+    """A history with an edit of each kind."""
+    log = History()
+    for kind in kinds:
+        change = replace(plan_draw_box(TrackTable(), None, 0, (1.0, 2.0, 3.0, 4.0)), kind=kind)
+        log.add(log.draft(change, "2026-01-01", "ann"))
+    return log

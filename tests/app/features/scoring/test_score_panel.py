@@ -77,6 +77,24 @@ def test_at_the_size_it_has_on_a_small_screen_all_eleven_figures_are_in_sight(
     assert {"People kept", "Position error (median)"} <= set(names[:5])
 
 
+def test_in_a_narrow_panel_columns_go_before_names_are_cut(panel, qtbot):
+    rows = tuple(
+        replace(SCENE.rows[0], name=one.name, short=one.short, whole="100.0%") for one in FIGURES
+    )
+    panel.show_scene(replace(SCENE, rows=rows, moved=""))
+    panel.resize(330, 520)
+    with qtbot.waitExposed(panel):
+        panel.show()
+    table = panel.table
+    assert table.groups == 1
+    for line, column in product(range(table.rowCount()), range(0, table.columnCount(), 4)):
+        item = table.item(line, column)
+        if item is not None:
+            wide = table.fontMetrics().horizontalAdvance(item.text()) + MARGINS_PX
+            assert table.columnWidth(column) >= wide
+            assert not table.isColumnHidden(column + 1)
+
+
 def test_all_frames_and_those_shown_stand_beside_each_other(panel):
     assert [panel.table.item(0, column).text() for column in (1, 2)] == ["0.670", "0.700"]
     assert panel.table.horizontalHeaderItem(2).toolTip() == "frames 100 to 199"

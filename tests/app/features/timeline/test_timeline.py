@@ -10,6 +10,7 @@ from hypothesis import strategies as st
 from PySide6.QtCore import QPoint, QPointF, QRect, Qt
 from PySide6.QtGui import QPixmap
 
+from app.core.i18n import time_text
 from app.core.plots.axis import TimeAxis, ticks
 from app.features.timeline.overview_picture import busiest
 from app.features.timeline.panel import TimelineView
@@ -233,9 +234,15 @@ def test_ticks_stand_at_round_times_and_do_not_crowd():
 def test_ticks_tell_parts_of_seconds_where_seconds_are_far_apart():
     close = TimeAxis(0.0, 800.0, 40.0, 20.0, 1000)
     shown = list(ticks(close, 20.0, 60.0))
-    assert shown[:3] == [(40, "00:02"), (42, "00:02.1"), (44, "00:02.2")]
+    assert shown[:3] == [(40, "00:02.0"), (42, "00:02.1"), (44, "00:02.2")]
     uneven = TimeAxis(0.0, 800.0, 0.0, 40.0, 1000)
-    assert list(ticks(uneven, 29.97, 120.0))[:4:3] == [(0, "00:00"), (30, "00:01")]
+    assert list(ticks(uneven, 29.97, 120.0))[:4:3] == [(0, "00:00.00"), (30, "00:01.00")]
+
+
+def test_the_ticks_of_a_ruler_have_one_number_of_decimals_and_tell_the_times_of_their_frames():
+    shown = list(ticks(TimeAxis(0.0, 800.0, 0.0, 60.0, 1000), 25.167, 100.0))
+    assert [text for _, text in shown[:4]] == ["00:00.00", "00:00.40", "00:00.79", "00:01.19"]
+    assert all(text == time_text(frame / 25.167) for frame, text in shown)
 
 
 def test_long_recordings_are_ticked_in_hours():
