@@ -17,7 +17,7 @@ from app.core.keymap import in_brackets
 from app.core.projection.concern import CONCERNED, Concern
 from app.core.scenes import HistoryItem
 from app.core.scenes.error_events import ErrorEvents
-from app.core.scenes.ground_truth import ERROR_COLOURS, ErrorLane, ErrorLanes
+from app.core.scenes.ground_truth import ERROR_COLOURS, ErrorLane, ErrorLanes, ErrorsOf
 from app.core.scenes.score_figures import ScoreRow, rows_of
 from app.features.scoring.moves import Moves, edits_in_force
 from app.features.scoring.scene import ErrorChoice, ScoreScene
@@ -28,7 +28,7 @@ from app.features.scoring.subject import (
     ScoreSubject,
     ScoringInput,
 )
-from app.features.scoring.truth_people import TruthPeople
+from app.features.scoring.truth_people import IN_VIEW, Scored, TruthPeople
 from app.features.scoring.truths import TruthKind, TruthSource, capture_truth, name_of, refuse_own
 from tracking.scoring import ErrorKind
 from tracking.tracks import Columns
@@ -204,6 +204,20 @@ class ScoringPresenter:
                 made = TruthPeople(self._document.recording, scored.truth.people, scored.errors)
             self._people = (scored, made)
         return self._people[1]
+
+    @property
+    def scored_version(self) -> Scored:
+        """Whose errors are shown, where two versions are compared."""
+        two, session = self._document.comparison, self._document.session
+        if two is None or session is None:
+            return IN_VIEW
+        own = self.track_source
+        name = list_track_sources(self._document)[own + 1]
+        if own == (SHOWN if two.base is None else two.base):
+            return Scored(ErrorsOf.SOLID, name)
+        if own == two.run:
+            return Scored(ErrorsOf.DASHED, name, session.runs[own])
+        return Scored(ErrorsOf.NEITHER, name)
 
     def concern_at(self, frame: int) -> Concern | None:
         """Who the errors that begin in a frame are about, in the truth and in the result."""
