@@ -16,6 +16,7 @@ from tracking.scoring import (
     Match,
     ScoringTable,
     agreement,
+    stretch_gap,
 )
 from tracking.session import RecordingReference
 from tracking.translation import msg
@@ -32,7 +33,8 @@ def run_compare(a: Path, b: Path, match: str, radius_m: float, *, as_json: bool)
     table_a, reference_a = _of_session(a)
     table_b, reference_b = _of_session(b)
     refuse_other_recording(reference_a, reference_b, str(b))
-    found = agreement(table_a, table_b, _how(match, radius_m))
+    gap = stretch_gap(reference_a.fps)
+    found = agreement(table_a, table_b, _how(match, radius_m), gap=gap)
     if as_json:
         print_json(found.as_json())
     else:

@@ -12,12 +12,9 @@ from tracking.errors import TrackwrightError
 from tracking.progress import Progress, no_progress
 from tracking.project.facts import NO_MESSAGE
 from tracking.project.pairing import ProjectRow, SessionRow
-from tracking.scoring import ScoringTable, agreement
+from tracking.scoring import ScoringTable, agreement, stretch_gap
 from tracking.session import Session
 from tracking.translation import Message
-
-_GAP_S = 0.5
-"""Disagreements of the same two tracks that lie closer together are one, as in the window."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -105,7 +102,7 @@ def _compared(
 ) -> PairAgreement:
     (a, fps), (b, _) = tables
     try:
-        found = agreement(a, b, gap=round(_GAP_S * fps))
+        found = agreement(a, b, gap=stretch_gap(fps))
     except TrackwrightError as error:
         return PairAgreement(recording, *names, problem=error.message)
     return PairAgreement(

@@ -20,6 +20,8 @@ from tracking.scoring.pairs import EPS
 from tracking.scoring.similarity import Match
 from tracking.scoring.table import ScoringTable
 
+_GAP_S = 0.5
+
 
 @dataclass(frozen=True, slots=True)
 class Agreement:
@@ -110,6 +112,14 @@ def agreement(
             ratings.frame[differ], ratings.track_a[differ], ratings.track_b[differ], gap
         ),
     )
+
+
+def stretch_gap(fps: float) -> int:
+    """Frames between two disagreements of the same tracks that are one to a person: half a second.
+
+    Commands, the window and projects all count disagreements with it.
+    """
+    return round(_GAP_S * fps)
 
 
 def ratings_of(compared: Comparison) -> Ratings:

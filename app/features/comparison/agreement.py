@@ -15,13 +15,11 @@ from app.features.comparison.scene import AgreementScene, DisagreementRow
 from tracking.errors import SessionError
 from tracking.progress import Progress
 from tracking.recording import Recording
-from tracking.scoring import Agreement, Disagreement, ScoringTable, agreement
+from tracking.scoring import Agreement, Disagreement, ScoringTable, agreement, stretch_gap
 from tracking.session import Session
 from tracking.tracks import TrackTable
 
 _STEPS = 4
-_GAP_S = 0.5
-"""Disagreements of the same two tracks that lie closer together are one stretch."""
 
 
 @dataclass(frozen=True, slots=True)
@@ -78,7 +76,7 @@ def _compared(own: Session, a: TrackTable, b: TrackTable, report: Progress) -> A
     report(2, _STEPS)
     table_b = ScoringTable.from_columns(b.columns())
     report(3, _STEPS)
-    found = agreement(table_a, table_b, gap=round(_GAP_S * own.recording.fps))
+    found = agreement(table_a, table_b, gap=stretch_gap(own.recording.fps))
     report(4, _STEPS)
     return found
 

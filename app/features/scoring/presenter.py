@@ -320,6 +320,8 @@ class ScoringPresenter:
     def why_nothing(self) -> str:
         """Why nothing is scored, and what to do; "" where something is, or will be."""
         if not self._document.tracks.ids:
+            if self._document.at_work:
+                return self._words_at_work
             return tr(
                 "Track the recording first{key}: its tracks are scored then.",
                 key=in_brackets("tracks.track"),
@@ -332,6 +334,15 @@ class ScoringPresenter:
         if self._refused is not None and self.scored is None:
             return self._refused[1]
         return ""
+
+    @property
+    def _words_at_work(self) -> str:
+        """What is said until a tracker at work has its first tracks."""
+        if self.scored is None:
+            return tr("A tracker is running: its tracks are scored once there are some.")
+        return tr(
+            "A tracker is running: these figures are of the tracks before, until it has its own."
+        )
 
     @staticmethod
     def _range_text(frames: Range) -> str:

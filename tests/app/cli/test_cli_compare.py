@@ -10,7 +10,8 @@ from pathlib import Path
 import pytest
 from command_line import Trackwright
 
-from tracking.editing import plan_swap
+from app.features.comparison.agreement import read_other
+from tracking.editing import plan_delete, plan_swap
 from tracking.recording import open_recording
 from tracking.session import Session
 from tracking.tracks import Run
@@ -32,6 +33,19 @@ def test_a_session_agrees_with_a_copy_of_itself(trackwright: Trackwright, sessio
     figures = json.loads(out)
     assert (status, err) == (0, "")
     assert (figures["IDF1"], figures["kappa"], figures["disagreements"]) == (1.0, 1.0, [])
+
+
+def test_disagreements_are_counted_as_in_the_window(trackwright, session, tmp_path):
+    path = Path(shutil.copy(session, tmp_path / "gaps.h5"))
+    with closing(Session.open(path)) as other:
+        gone = int(other.tracks.of_frame(60)["track"][0])
+        for frame in (58, 61, 64):  # one miss to a person, with two frames between
+            other.apply(plan_delete(other.tracks, gone, frame, frame + 1))
+        other.save()
+    with closing(Session.open(session)) as own:
+        seen = read_other(path, own, own.tracks.snapshot(), lambda *_: None).agreement
+    figures = json.loads(trackwright("compare", session, path, "--json")[1])
+    assert len(figures["disagreements"]) == len(seen.disagreements) == 1
 
 
 def test_a_swap_is_where_two_sessions_disagree(trackwright: Trackwright, session, swapped):
