@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, Final
 
-from app.core.fact_texts import fact_text
+from app.core.fact_texts import fact_text, setting_text
 from tracking.translation import N_, Message, joined, msg
 
 _LONGEST, _LONGEST_FACT = 60, 4096
@@ -95,7 +95,7 @@ def _run(run: Mapping[str, Any]) -> Message:
         )
     said += [_detections_line(given) for given in run["detections_input"]]
     for name, value in run["settings"].items():
-        said.append(msg("{setting} {value}", setting=name, value=_short(fact_text(value))))
+        said.append(msg("{setting} {value}", setting=name, value=_short(setting_text(value))))
     return joined(", ", said)
 
 

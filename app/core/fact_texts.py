@@ -23,3 +23,10 @@ def fact_text(value: Any) -> str:
     if isinstance(value, list):
         return joined("; ", map(fact_text, value))
     return value if isinstance(value, str) else str(value)
+
+
+def setting_text(value: Any) -> str:
+    """The same of a setting: a switch is on or off, as in the form of settings."""
+    if isinstance(value, bool):
+        return msg("on") if value else msg("off")
+    return fact_text(value)

@@ -11,7 +11,7 @@ import numpy as np
 from app.core.commands.conditions import read_only
 from app.core.document.detector_choice import DETECTOR, DetectorChoice
 from app.core.document.edit_history import local_time
-from app.core.fact_texts import fact_text
+from app.core.fact_texts import setting_text
 from app.core.i18n import count_text, joined_text, tr
 from app.core.scenes.score_figures import figure_named
 from tracking.formats import read_mot
@@ -296,7 +296,7 @@ def _value_text(name: str, value: object) -> str:
     """A setting as `info` tells it; a detector that was trained here by when, not by its path."""
     if name == DETECTOR and isinstance(value, str):
         return DetectorChoice(value).name
-    return translated(fact_text(value))
+    return translated(setting_text(value))
 
 
 def _range_text(frames: tuple[int, int]) -> str:

@@ -261,7 +261,7 @@ def test_settings_are_told_short_and_as_info_tells_them(
     window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     item = dialog._table.item(2, 2)
-    assert "smooth no" in item.text()
+    assert "smooth off" in item.text()
     assert "detector trained 20" in item.text()
     assert "a_folder" not in item.text()
     assert item.toolTip() == item.text()

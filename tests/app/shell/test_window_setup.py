@@ -380,6 +380,7 @@ def test_pictures_of_a_board_are_left_out_and_taken_in_again(
     user.press(form.calibrate)
     user.wait_for_rest()
     assert "Error 0." in dialog.calibration.told.text()
+    assert dialog.calibration.file.text() == "Calibration from the board"
     assert form.table.rowCount() >= 7
     used = dialog.editor.scene.boards
     assert used is not None

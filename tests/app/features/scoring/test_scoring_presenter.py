@@ -215,6 +215,17 @@ def test_while_a_tracker_is_at_work_whole_seconds_of_it_are_scored(presenter, do
     assert presenter.current_subject().frames == document.tracks.frames
 
 
+def test_at_the_start_of_a_second_run_the_figures_are_said_to_be_of_the_tracks_before(
+    presenter, document
+):
+    score_now(presenter)
+    document.begin_live()
+    scene = presenter.scene("")
+    assert scene.rows
+    assert "these figures are of the tracks before" in scene.message
+    assert "Track the recording first" not in scene.message
+
+
 def test_without_tracks_there_is_nothing_to_score(document):
     presenter = ScoringPresenter(Document(document.recording))
     assert presenter.current_subject() is None
