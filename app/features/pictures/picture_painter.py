@@ -27,7 +27,7 @@ from app.core.drawing.part_cards import draw_cards
 from app.core.drawing.part_marks import draw_part_boxes, draw_part_particles
 from app.core.drawing.people_marks import draw_ghosts, draw_people, draw_preview
 from app.core.drawing.suggested_marks import draw_suggested
-from app.core.drawing.truth_marks import draw_truth_boxes
+from app.core.drawing.truth_marks import draw_truth_corners, draw_truth_signs
 from app.core.drawing.viewport import Viewport
 from app.core.look.theme import Theme, scaled_font
 from app.core.scenes import LegendEntry, PersonMark, PictureScene
@@ -136,14 +136,18 @@ class PicturePainter:
             draw_people(painter, others, view)
         with _within(painter, own):
             _draw_parts(painter, given)
+        truths = list(_divided_truth(marks, shown, own, other))
+        for truth, area in truths:  # below people's names, which they would hide
+            with _within(painter, area):
+                draw_truth_corners(painter, truth, view, theme)
         draw_outline_names(painter, labels, theme)
         kept_off = [*given.reserved, *captions.taken, *(label.rect for label in labels)]
         names = self._draw_names(self.naming, painter, given, scene.people, own, kept_off)
         if others:
             names += self._draw_names(self._naming, painter, given, others, other, kept_off)
-        for truth, area in _divided_truth(marks, shown, own, other):
+        for truth, area in truths:
             with _within(painter, area):
-                draw_truth_boxes(painter, truth, view, theme, area)
+                draw_truth_signs(painter, truth, view, theme, area)
         if marks.divider is not None:
             draw_divider(painter, marks.divider, view.rect(given.content), shown, theme)
         handles(painter, shown)

@@ -10,6 +10,8 @@ from app.core.scenes import Side
 from app.core.scenes.ground_truth import ErrorsOf, PicturedTruth, TruthMark
 from app.core.scenes.other_people import Divider, OtherMark
 from app.core.scenes.pictured_parts import PartBox, PicturedParts
+from app.features.pictures import picture_painter
+from app.features.pictures.box_names import BoxNamePainter
 from app.features.pictures.divider import halves, is_at_divider, share_at
 from app.features.pictures.picture_view import PictureView
 from tracking.scoring import ErrorKind
@@ -132,3 +134,20 @@ def marked(shot, view, box):
         for x in range(round(a.x()), round(b.x()))
         for y in range(round(a.y()), round(b.y()))
     )
+
+
+def test_names_stand_over_the_corners_of_the_truth(view, drawn, monkeypatch):
+    order = []
+    name, corners = BoxNamePainter.draw, picture_painter.draw_truth_corners
+    monkeypatch.setattr(
+        BoxNamePainter, "draw", lambda *given: (order.append("names"), name(*given))[1]
+    )
+    monkeypatch.setattr(
+        picture_painter,
+        "draw_truth_corners",
+        lambda *given: (order.append("corners"), corners(*given))[1],
+    )
+    view.show_truth(PicturedTruth((TruthMark((20, 100, 40, 80), "T1"),)))
+    view.show_divider(Divider(0.5, "run 0", "run 1"))
+    drawn(view)
+    assert order == ["corners", "corners", "names", "names"]
