@@ -91,13 +91,14 @@ class RunsDialog(QDialog):
         titles = [
             tr("Tracks"),
             tr("Tracker"),
-            tr("Settings changed"),
+            tr("Settings"),
             tr("Frames"),
             tr("Made"),
             tr("People"),
             *map(_title, RUN_FIGURES),
         ]
         told = {_title(figure): tr(figure.hint) for figure in RUN_FIGURES}
+        told[tr("Settings")] = tr("Those that differ from the tracker's defaults")
         told[tr("People")] = tr("In the frames that are scored")
         table = QTableWidget(0, len(titles), self)
         for column, title in enumerate(titles):
@@ -369,7 +370,7 @@ def _title(figure: Figure) -> str:
     """Its name, short enough for a column."""
     short = {
         "People kept": tr("Kept"),
-        "Position error (median)": tr("Position error"),
+        "Position error (median)": tr("Position"),
     }
     return short.get(figure.name) or tr(figure.name)
 
