@@ -286,10 +286,11 @@ class RunsDialog(QDialog):
         numbers = self.chosen or [row.number for row in self._scene.rows]
         head, table = self._table.horizontalHeader(), self._table
         shown = [at for at in range(head.count()) if not table.isColumnHidden(at)]
-        rows = [[table.horizontalHeaderItem(at).text() for at in shown]]
+        model = table.model()
+        rows = [[str(model.headerData(at, Qt.Orientation.Horizontal)) for at in shown]]
         for at, row in enumerate(self._scene.rows):
             if row.number in numbers:
-                rows.append([table.item(at, column).text() for column in shown])
+                rows.append([str(model.index(at, column).data()) for column in shown])
         QGuiApplication.clipboard().setText("\n".join(map("\t".join, rows)))
 
     def _ask_correct(self) -> None:
