@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from contextlib import closing
 from pathlib import Path
 from typing import Any
 
@@ -18,9 +19,15 @@ from tracking.calibration.boards import (
     LensKind,
     calibrate_boards,
 )
-from tracking.calibration.rough import RoughCalibration, RoughRequest, calibrate_roughly
+from tracking.calibration.rough import (
+    RoughCalibration,
+    RoughRequest,
+    calibrate_one_roughly,
+    calibrate_roughly,
+)
 from tracking.errors import CalibrationError
-from tracking.geometry import write_calibration
+from tracking.geometry import StereoCalibration, write_calibration
+from tracking.recording.places import open_pictures
 from tracking.translation import msg, tr
 
 _SIZE = re.compile(r"(\d{1,3})[xX*](\d{1,3})")
@@ -72,25 +79,40 @@ def run_rough(
     as_json: bool,
 ) -> None:
     """Calibrate roughly, write the file, and print what was found."""
-    if right is None or baseline_m is None:
+    if (right is None) != (baseline_m is None):
         raise typer.BadParameter(
-            msg("give both cameras and their distance in metres"), param_hint="--right, --baseline"
+            msg(
+                "give both: the right camera and its distance from the left one in metres; neither "
+                "for one camera"
+            ),
+            param_hint="--right, --baseline",
         )
     _check(out)
     if fov_deg is None:
         fov_deg = _USUAL_FOV_DEG
         say(msg("the field of view is taken to be {fov:g} degrees; give --fov", fov=fov_deg))
-    with progress(msg("matching points")) as tell:
-        found = calibrate_roughly(RoughRequest(left, right, fov_deg, baseline_m), tell)
+    calibration, document = _roughly(left, right, fov_deg, baseline_m)
     if out is not None:
-        write_calibration(out, found.calibration)
+        write_calibration(out, calibration)
     say(msg("this calibration is rough: metres may be off by a tenth and more"))
     if as_json:
-        print_json(_rough_document(found))
+        print_json(document)
     else:
-        print_table([(name, f"{value:.4g}") for name, value in _rough_document(found).items()])
+        print_table([(name, f"{value:.4g}") for name, value in document.items()])
         if out is not None:
             say(msg("written: {path}", path=out))
+
+
+def _roughly(
+    left: str, right: str | None, fov_deg: float, baseline_m: float | None
+) -> tuple[StereoCalibration, dict[str, float]]:
+    """The calibration, and the figures it is told by: of one camera the field of view alone."""
+    if right is None or baseline_m is None:
+        with closing(open_pictures(Path(left), left)) as pictures:
+            return calibrate_one_roughly(pictures.size, fov_deg), {"fov": fov_deg}
+    with progress(msg("matching points")) as tell:
+        found = calibrate_roughly(RoughRequest(left, right, fov_deg, baseline_m), tell)
+    return found.calibration, _rough_document(found)
 
 
 def _check(out: Path | None) -> None:

@@ -9,7 +9,6 @@ from app.cli.output import print_json, print_line, print_table
 from app.cli.sessions import open_session
 from app.core.document.recording_match import refuse_other_recording
 from tracking.scoring import (
-    DISAGREEMENT_GAP_S,
     Agreement,
     BoxMatch,
     EitherMatch,
@@ -17,6 +16,7 @@ from tracking.scoring import (
     Match,
     ScoringTable,
     agreement,
+    stretch_gap,
 )
 from tracking.session import RecordingReference
 from tracking.translation import msg
@@ -33,7 +33,7 @@ def run_compare(a: Path, b: Path, match: str, radius_m: float, *, as_json: bool)
     table_a, reference_a = _of_session(a)
     table_b, reference_b = _of_session(b)
     refuse_other_recording(reference_a, reference_b, str(b))
-    gap = round(DISAGREEMENT_GAP_S * reference_a.fps)
+    gap = stretch_gap(reference_a.fps)
     found = agreement(table_a, table_b, _how(match, radius_m), gap=gap)
     if as_json:
         print_json(found.as_json())

@@ -5,6 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator, Mapping
 from typing import Any, Final
 
+from app.core.fact_texts import fact_text, setting_text
 from tracking.translation import N_, Message, joined, msg
 
 _LONGEST, _LONGEST_FACT = 60, 4096
@@ -72,7 +73,7 @@ def _lines(facts: Mapping[str, Any]) -> Iterator[tuple[str, str]]:
                 yield named, msg("on {on}, off {off}, unsure {unsure}", **counts)
             yield from _lines({what: count for what, count in value.items() if what != "parts"})
         else:
-            told = _shown if value is None else _SAID.get(name, _shown)
+            told = fact_text if value is None else _SAID.get(name, fact_text)
             yield msg(_NAMES.get(name, name)), told(value)
 
 
@@ -94,7 +95,7 @@ def _run(run: Mapping[str, Any]) -> Message:
         )
     said += [_detections_line(given) for given in run["detections_input"]]
     for name, value in run["settings"].items():
-        said.append(msg("{setting} {value}", setting=name, value=_short(_shown(value))))
+        said.append(msg("{setting} {value}", setting=name, value=_short(setting_text(value))))
     return joined(", ", said)
 
 
@@ -135,21 +136,3 @@ def _short(text: str, longest: int = _LONGEST) -> str:
 
 def _cut(text: str, longest: int) -> str:
     return text if len(text) <= longest else f"{text[: longest - 1]}…"
-
-
-def _shown(value: Any) -> str:
-    """A fact as people read it."""
-    if value is None or value == []:
-        return "-"
-    if isinstance(value, bool):
-        return msg("yes") if value else msg("no")
-    if isinstance(value, float):
-        return f"{value:.6g}"
-    if isinstance(value, dict):
-        pairs = (
-            msg("{name} {value}", name=name, value=_shown(part)) for name, part in value.items()
-        )
-        return joined(", ", pairs)
-    if isinstance(value, list):
-        return joined("; ", map(_shown, value))
-    return value if isinstance(value, str) else str(value)

@@ -9,8 +9,9 @@ from app.cli.option_groups import Bare
 from app.cli.recordings import options_of
 from app.core.document.document_loader import open_path
 from app.core.interrupts import ending_at_once
-from tracking.errors import OutputError
+from tracking.errors import OutputError, RecordingError, SessionError
 from tracking.recording import OpenOptions
+from tracking.session import find_backups
 
 
 def run_open(path: Path | None, bare: Bare, recording: Path | None) -> None:
@@ -24,7 +25,10 @@ def run_open(path: Path | None, bare: Bare, recording: Path | None) -> None:
     Raises:
         OutputError: no window can be opened here.
         RecordingMissing: the session's recording is not at `recording`.
+        RecordingError, SessionError: nothing is at `path`.
     """
+    if path is not None and bare.left is None:
+        _check_there(path)
     options = options_of(bare)
     if path is not None and recording is not None:
         _note_place(path, recording, options)
@@ -37,6 +41,16 @@ def run_open(path: Path | None, bare: Bare, recording: Path | None) -> None:
         from app.shell.application import run
 
     raise SystemExit(run(path or bare.left, options))
+
+
+def _check_there(path: Path) -> None:
+    """Refuse a path that holds nothing; a session that is gone may have backups to go back to."""
+    if path.exists():
+        return
+    if path.suffix.lower() != ".h5":
+        raise RecordingError("{path}: no such recording; check the path", path=path)
+    if not find_backups(path):
+        raise SessionError("{path}: there is no such session; check the path", path=path)
 
 
 def _note_place(path: Path, recording: Path, options: OpenOptions) -> None:

@@ -254,7 +254,8 @@ class Roughly:
         bool,
         typer.Option(
             "--rough",
-            help="No board: find from matched points how the cameras stand. Metres are rough.",
+            help="No board: find from matched points how two cameras stand, or take one to have no "
+            "distortion. Metres are rough.",
             rich_help_panel=_ROUGH,
         ),
     ] = False

@@ -11,6 +11,7 @@ from app.features.runs.runs_dialog import RunsDialog
 from app.features.runs.track_dialog import TrackDialog
 from app.shell.recording_controller import RecordingController
 from tracking.errors import TrackwrightError
+from tracking.tracks import Run
 
 
 def ask_again(controller: RecordingController, remembered: UserSettings) -> None:
@@ -52,9 +53,14 @@ def _begin(controller: RecordingController, dialog: TrackDialog) -> None:
 
 
 def show_runs(
-    controller: RecordingController, divide: Callable[[float], object] = lambda _: None
+    controller: RecordingController,
+    divide: Callable[[float], object] = lambda _: None,
+    track_like: Callable[[Run], object] = lambda _: None,
 ) -> None:
-    """List the session's runs, to be compared; `divide` divides the pictures between two."""
+    """List the session's runs, to be compared; `divide` divides the pictures between two.
+
+    `track_like` asks about tracking with the settings of a run.
+    """
     session = controller.document.session
     if session is None:
         return
@@ -71,5 +77,6 @@ def show_runs(
     dialog.compare_asked.connect(compare)
     dialog.beside_asked.connect(compare_beside)
     dialog.correct_asked.connect(controller.comparing.correct)
+    dialog.again_asked.connect(lambda run: track_like(session.runs[run]))
     dialog.drop_asked.connect(controller.comparing.drop_run)
     dialog.open()

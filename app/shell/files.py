@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 from pathlib import Path
 from typing import TYPE_CHECKING
@@ -11,6 +12,7 @@ from PySide6.QtCore import QTimer, QUrl, Signal
 
 from app.core.controller import Controller
 from app.core.document import document_loader
+from app.core.document.detector_choice import DETECTOR, restore_choice
 from app.core.document.document_loader import OpenedDocument
 from app.core.droppable import no_footage
 from app.core.i18n import N_, tr
@@ -25,7 +27,7 @@ from app.features.correction.attribute_controller import schema_notes
 from app.features.files import left_behind
 from app.features.files.demonstration import Demonstration
 from app.features.files.first_page import first_page
-from app.features.runs.run_summary import list_tracking_notes
+from app.features.runs.run_summary import describe_coming_run, list_tracking_notes
 from app.features.runs.track_dialog import TrackDialog
 from app.features.scoring.controller import ScoreController
 from app.shell.author import Author
@@ -48,6 +50,7 @@ from app.shell.setup_controller import SetupController
 from app.shell.whereabouts import Whereabouts
 from tracking.recording import OpenOptions
 from tracking.session import Session
+from tracking.tracks import Run
 
 if TYPE_CHECKING:
     from app.shell.main_window import MainWindow
@@ -262,21 +265,23 @@ class Files(Controller):
 
         self._window.notice.say("\n".join(lines), passing=passes, holds=holds)
 
-    def ask_track(self) -> None:
-        """Ask for tracker and settings, then put it to work; corrected tracks are not touched."""
+    def ask_track(self, like: Run | None = None) -> None:
+        """Ask for tracker and settings, then put it to work.
+
+        Filled in is what made the run `like`, where one is given.
+        """
         controller = self.controller
         if controller is None:
             return
         if self.keeping.holds:
             self.keeping.offer()
             return
-        warning = ""
-        if self.session is not None and len(self.session.history):
-            warning = tr(
-                "The corrected tracks stay as they are; the new result is kept beside them."
-            )
+        warning = describe_coming_run(self.session) if self.session is not None else ""
         document = controller.document
         asked = document.parts_asked
+        if like is not None:
+            detector = restore_choice(str(like.settings.get(DETECTOR, "")))
+            asked = replace(asked, choice=detector)
         dialog = TrackDialog(
             document.recording,
             controller.tracking.propose_tracker,
@@ -285,7 +290,10 @@ class Files(Controller):
             self._window,
             asked,
         )
-        if (failed := controller.tracking.failed_order) is not None:
+        if like is not None:
+            dialog.put_settings(like.tracker, like.settings, like.seed)
+            dialog.put_frames(like.frames[0], like.frames[1] - 1)
+        elif (failed := controller.tracking.failed_order) is not None:
             dialog.put_answer(*failed)
         dialog.accepted.connect(lambda: self._track(dialog))
         dialog.finished.connect(dialog.deleteLater)

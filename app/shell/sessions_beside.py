@@ -109,6 +109,8 @@ class SessionsBeside(QObject):
         controller, shown = self._window.controller, self._shown
         if not self.compares:
             self._share = None
+        if controller is not None and controller.comparing.shown:
+            self._shown = shown = None  # the pictures show the runs: a panel beside them misleads
         session = controller.document.session if controller is not None else None
         panel = shown.panel(session.tracks.revision) if shown and session is not None else None
         self._window.workspace.compare.show_scene(panel)
@@ -140,6 +142,7 @@ class SessionsBeside(QObject):
             self._shown = AgreementPresenter(
                 controller.document.recording, other, controller.document.colour_of
             )
+            controller.comparing.close()  # one comparison at a time
             self.draw()
 
     def _again(self) -> None:

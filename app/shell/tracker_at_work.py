@@ -129,8 +129,9 @@ class TrackerAtWork(Controller):
         self.following.begin()
         self.began.emit()
         self.changed.emit()
-        if not self._document.is_untouched and resume is None:
-            self.noted.emit((meanwhile(),), True)
+        session = self._document.session
+        if session is not None and not self._document.is_untouched and resume is None:
+            self.noted.emit((meanwhile(session),), True)
 
     def track_again(
         self,

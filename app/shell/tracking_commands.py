@@ -54,6 +54,7 @@ TRACK: Final[tuple[Command[WindowApp], ...]] = (
         trackable,
         lambda app: app.files.ask_track(),
         icon="live",
+        also="settings parameters tracker plugin plug-in",
     ),
     Command(
         "tracks.stop",
@@ -69,7 +70,8 @@ TRACK: Final[tuple[Command[WindowApp], ...]] = (
         "Tracks",
         ("Ctrl+R",),
         session,
-        lambda app: show_runs(app.open, app.files.beside.divide),
+        lambda app: show_runs(app.open, app.files.beside.divide, app.files.ask_track),
+        also="settings scores results experiments",
     ),
 )
 AGAIN: Final[tuple[Command[WindowApp], ...]] = (

@@ -126,6 +126,7 @@ LEFT = '[left]\nsource = "a.mp4"\n'
         (LEFT + "[calibration]\nfile = [1]\n", "one file name"),
         (LEFT + "[calibration]\n", "one file name"),
         (LEFT + "[ground]\nheight = 2.0\n", "tilt is missing"),
+        (LEFT + "[ground]\nheight = 2.0\ntillt = 30\n", "tilt is missing; 'tillt' stands there"),
         (LEFT + "[ground]\nheight = -2.0\ntilt = 30\n", "make no floor"),
         (LEFT + '[ground]\nheight = "high"\ntilt = 30\n', "height must be a number"),
         (f"fps = 1{'0' * 400}\n" + LEFT, "fps must be a number"),

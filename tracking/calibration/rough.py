@@ -112,6 +112,15 @@ def calibrate_images_roughly(
     return _of_points(points, fov_deg, baseline_m)
 
 
+def calibrate_one_roughly(size: tuple[int, int], fov_deg: float) -> StereoCalibration:
+    """One camera of images of this size (width, height); see :func:`rough_camera`.
+
+    Raises:
+        CalibrationError: no camera has such a field of view.
+    """
+    return StereoCalibration.of_one(rough_camera(size, fov_deg), rough=True)
+
+
 def rough_camera(size: tuple[int, int], fov_deg: float) -> Camera:
     """A camera of this horizontal field of view, without distortion.
 

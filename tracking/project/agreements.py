@@ -12,7 +12,7 @@ from tracking.errors import TrackwrightError
 from tracking.progress import Progress, no_progress
 from tracking.project.facts import NO_MESSAGE
 from tracking.project.pairing import ProjectRow, SessionRow
-from tracking.scoring import DISAGREEMENT_GAP_S, ScoringTable, agreement
+from tracking.scoring import ScoringTable, agreement, stretch_gap
 from tracking.session import Session
 from tracking.translation import Message
 
@@ -103,7 +103,7 @@ def _compared(
 ) -> PairAgreement:
     (a, fps), (b, _) = tables
     try:
-        found = agreement(a, b, gap=round(DISAGREEMENT_GAP_S * fps))
+        found = agreement(a, b, gap=stretch_gap(fps))
     except TrackwrightError as error:
         return PairAgreement(recording, *names, problem=error.message)
     return PairAgreement(

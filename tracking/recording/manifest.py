@@ -5,6 +5,7 @@ from __future__ import annotations
 import tomllib
 from collections.abc import Mapping
 from dataclasses import dataclass, replace
+from difflib import get_close_matches
 from pathlib import Path, PurePath
 from typing import Any, TypeVar
 
@@ -16,7 +17,7 @@ from tracking.recording.depth_pictures import USUAL_SCALE_M, checked_scale
 from tracking.recording.image_pairs import LAYOUTS, MOST_LAG, Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
 from tracking.recording.region_of_interest import EVERYWHERE, Outline, RegionOfInterest, outlines_of
-from tracking.translation import joined, msg
+from tracking.translation import Message, joined, msg
 
 MANIFEST_NAME = "recording.toml"
 TRUTH_NAME = "truth.txt"
@@ -218,6 +219,14 @@ class _Table:
         """What is wrong with a key."""
         return RecordingError("{place} {problem}", place=self.place(key), problem=problem)
 
+    def missing(self, key: str, advice: Message) -> RecordingError:
+        """A key is not there: what to do, or which key of this table may be meant for it."""
+        unknown = [one for one in self._values if one not in _KNOWN.get(self._section, ())]
+        near = get_close_matches(key, unknown, 1)
+        if near:
+            advice = msg("is missing; {near!r} stands there: correct its spelling", near=near[0])
+        return self.error(key, advice)
+
     def place(self, key: str) -> str:
         """Where a key stands, for messages."""
         return f"{self._where}: " + (f"[{self._section}] {key}" if self._section else key)
@@ -240,7 +249,9 @@ def _sources(table: _Table) -> tuple[str, str | None, Layout | None, Side]:
         layout = _choice(stereo, "layout", LAYOUTS, LAYOUTS[0])
         return _source(stereo), None, layout, _choice(stereo, "first", _SIDES, "left")
     if "left" not in table:
-        raise table.error("left", msg("is missing; say where the images are: [left] source = ..."))
+        raise table.missing(
+            "left", msg("is missing; say where the images are: [left] source = ...")
+        )
     right = _source(table.section("right")) if "right" in table else None
     return _source(table.section("left")), right, None, "left"
 
@@ -285,7 +296,7 @@ def _topics(table: _Table) -> tuple[str, str, str]:
 def _source(table: _Table) -> str:
     source: str = table.get("source", str, "")
     if not source:
-        raise table.error("source", msg("is missing; name a video, or images such as left/*.png"))
+        raise table.missing("source", msg("is missing; name a video, or images such as left/*.png"))
     if "\0" in source:
         raise table.error("source", msg("holds a zero character; write the file's name"))
     if _is_too_long(source):
@@ -347,7 +358,7 @@ def _ground(table: _Table) -> Ground | None:
         return _ground_of_pose(section)
     for key in ("height", "tilt"):
         if key not in section:
-            raise section.error(key, msg("is missing; give height in metres and tilt in degrees"))
+            raise section.missing(key, msg("is missing; give height in metres and tilt in degrees"))
     try:
         return checked_ground(
             section.get("height", float, 0.0),

@@ -1,6 +1,6 @@
 """Accuracy of tracks against truth."""
 
-from tracking.scoring.agreement import DISAGREEMENT_GAP_S, Agreement, agreement
+from tracking.scoring.agreement import Agreement, agreement, stretch_gap
 from tracking.scoring.clear import Clear
 from tracking.scoring.combined_scores import combined
 from tracking.scoring.conventions import Conventions

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from dataclasses import dataclass
-from typing import Any, Final
+from typing import Any
 
 import numpy as np
 from scipy.optimize import linear_sum_assignment
@@ -20,8 +20,7 @@ from tracking.scoring.pairs import EPS
 from tracking.scoring.similarity import Match
 from tracking.scoring.table import ScoringTable
 
-DISAGREEMENT_GAP_S: Final = 0.5
-"""Disagreements of the same two tracks that lie closer together are one, wherever they are told."""
+_GAP_S = 0.5
 
 
 @dataclass(frozen=True, slots=True)
@@ -113,6 +112,14 @@ def agreement(
             ratings.frame[differ], ratings.track_a[differ], ratings.track_b[differ], gap
         ),
     )
+
+
+def stretch_gap(fps: float) -> int:
+    """Frames between two disagreements of the same tracks that are one to a person: half a second.
+
+    Commands, the window and projects all count disagreements with it.
+    """
+    return round(_GAP_S * fps)
 
 
 def ratings_of(compared: Comparison) -> Ratings:

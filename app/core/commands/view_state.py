@@ -67,6 +67,7 @@ def panel_command(
     menu: str,
     keys: tuple[str, ...] = (),
     run: Callable[[Any], object] | None = None,
+    **more: Any,
 ) -> Command[Any]:
     """A command "view.NAME" that opens and closes the panel of that id; see `view_command`."""
     return Command(
@@ -77,4 +78,5 @@ def panel_command(
         recording,
         run or (lambda now: _toggle_panel(now, name)),
         checked=lambda now: now.document is not None and name in now.view_options.panels,
+        **more,
     )

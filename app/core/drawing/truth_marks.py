@@ -28,22 +28,31 @@ _LOW_PX = 64.0
 _LEAST_SIGN_PX = 3.5
 
 
-def draw_truth_boxes(
+def draw_truth_corners(
+    painter: QPainter, truth: PicturedTruth, viewport: Viewport, theme: Theme
+) -> None:
+    """Corners around everybody of the truth."""
+    for person in truth.people:
+        colour = _colour(person.wrong, _ON_PICTURE, theme)
+        _draw_corners(painter, _around(person, viewport), colour)
+
+
+def draw_truth_signs(
     painter: QPainter, truth: PicturedTruth, viewport: Viewport, theme: Theme, area: QRectF
 ) -> None:
-    """Corners around everybody of the truth, their ids below; signs on misses and false alarms."""
-    ends, rects = [], []
-    for person in truth.people:
-        rect = viewport.rect(QRectF(*person.box)).adjusted(-2, -2, 2, 2)
-        _draw_corners(painter, rect, _colour(person.wrong, _ON_PICTURE, theme))
-        ends.append(QPointF(rect.left(), rect.bottom() + 16))
-        rects.append(rect)
+    """The ids of the truth below its boxes; signs on misses and false alarms."""
+    rects = [_around(person, viewport) for person in truth.people]
+    ends = [QPointF(rect.left(), rect.bottom() + 16) for rect in rects]
     for mark in (*truth.people, *truth.alarms):
         if mark.wrong is not None:
             rect = viewport.rect(QRectF(*mark.box))
             reach = min(_SIGN_PX, max(_LEAST_SIGN_PX, _SIGN_PX * rect.height() / _LOW_PX))
             draw_signs(painter, mark.wrong, [_on_top(rect, mark)], reach, theme)
     _draw_ids(painter, truth.people, ends, rects, theme, area)
+
+
+def _around(person: TruthMark, viewport: Viewport) -> QRectF:
+    return viewport.rect(QRectF(*person.box)).adjusted(-2, -2, 2, 2)
 
 
 def draw_truth_places(

@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from enum import Enum
 from typing import Final
 
 import numpy as np
@@ -79,18 +80,34 @@ class TruthPlace:
     wrong: ErrorKind | None = None
 
 
+class ErrorsOf(Enum):
+    """Which of two compared versions of the tracks was scored: its people are drawn so."""
+
+    SOLID = "solid"
+    DASHED = "dashed"
+    NEITHER = "neither"
+
+
 @dataclass(frozen=True, slots=True)
 class PicturedTruth:
     """The truth over a picture.
 
     Attributes:
         legend: what the marks mean. floor_tells: it stands on the floor as well.
+        errors_of: whose errors are marked; in a divided picture these stand on its side alone.
     """
 
     people: tuple[TruthMark, ...] = ()
     alarms: tuple[TruthMark, ...] = ()
     legend: tuple[LegendEntry, ...] = ()
     floor_tells: bool = True
+    errors_of: ErrorsOf = ErrorsOf.SOLID
+
+    @property
+    def without_errors(self) -> PicturedTruth:
+        """Where people really are, alone."""
+        people = tuple(replace(one, wrong=None) for one in self.people)
+        return replace(self, people=people, alarms=())
 
 
 @dataclass(frozen=True, slots=True, eq=False)

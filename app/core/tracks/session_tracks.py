@@ -91,7 +91,7 @@ class SessionTracks:
         """What the run measured in the frame, less that of people who were taken out."""
         if self._run is None:
             return empty(DETECTION_COLUMNS)
-        rows = _of_frame(self._run.detections, frame)
+        rows = rows_of_frame(self._run.detections, frame)
         unmatched = rows["track"] == 0
         ids = _renamed(rows["track"], self._after_edits(frame))
         kept = unmatched | (ids >= 0)
@@ -112,7 +112,7 @@ class SessionTracks:
         """What the run saw of the parts of people who are there, by their ids after the edits."""
         if self._run is None or not len(self._run.parts["frame"]):
             return empty(PART_COLUMNS)
-        return self._owned(_of_frame(self._run.parts, frame), frame)
+        return self._owned(rows_of_frame(self._run.parts, frame), frame)
 
     def part_particles(self, frame: int) -> Columns:
         """The run's particles of parts, likewise."""
@@ -139,7 +139,7 @@ class SessionTracks:
         """What the run noticed of people who are there, by their ids after the edits."""
         if self._run is None or not len(self._run.signals["frame"]):
             return empty(SIGNAL_COLUMNS)
-        return self._owned(_of_frame(self._run.signals, frame), frame)
+        return self._owned(rows_of_frame(self._run.signals, frame), frame)
 
     def parts_of_track(self, track: int) -> Columns:
         """The parts of a track, kept until another's are asked for."""
@@ -235,7 +235,7 @@ def _renamed(tracks: NDArray[np.int32], after: dict[int, int]) -> NDArray[np.int
     return np.asarray(ids[inverse], np.int32) if len(ids) else tracks
 
 
-def _of_frame(columns: Columns, frame: int) -> Columns:
+def rows_of_frame(columns: Columns, frame: int) -> Columns:
     """The rows of one frame; they stand by frame."""
     inside = between(columns["frame"], frame, frame + 1)
     return {name: column[inside] for name, column in columns.items()}

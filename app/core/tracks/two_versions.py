@@ -33,6 +33,14 @@ class TwoVersions(Protocol):
     """A version of the tracks drawn solid, and another one drawn dashed."""
 
     @property
+    def base(self) -> int | None:
+        """The run that is drawn solid; None: the corrected tracks are."""
+
+    @property
+    def run(self) -> int:
+        """The run that is drawn dashed."""
+
+    @property
     def solid(self) -> TrackReader | None:
         """The version that is drawn solid; None where these are the corrected tracks."""
 

@@ -28,6 +28,11 @@ class ElidingList(QComboBox):
         self.setMinimumWidth(_LEAST_LETTERS * self.fontMetrics().averageCharWidth())
         self.currentTextChanged.connect(self._tell)
 
+    def take_room(self) -> None:
+        """Be as wide as its longest entry where there is room for that."""
+        self.setSizeAdjustPolicy(QComboBox.SizeAdjustPolicy.AdjustToContents)
+        self.setSizePolicy(QSizePolicy.Policy.Preferred, QSizePolicy.Policy.Fixed)
+
     def _tell(self, text: str) -> None:
         self.setToolTip(f"{self._name}\n{text}" if text else self._name)
 

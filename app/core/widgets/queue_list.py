@@ -130,14 +130,16 @@ class PeopleDelegate(QStyledItemDelegate, metaclass=AbstractQt):
 
     def _draw_first(self, painter: QPainter, item: Any, line: QRectF, font: QFont) -> None:
         theme, small = current_theme(), scaled_font(font, _SMALL)
-        painter.setFont(small)
-        painter.setPen(theme.text_muted)
-        painter.drawText(line, _RIGHT, item.when)
-        line.setRight(line.right() - QFontMetricsF(small).horizontalAdvance(item.when) - _GAP)
         bold, plain = scaled_font(font, 1.0, bold=True), QFontMetricsF(font)
         title = QFontMetricsF(bold).horizontalAdvance(item.title) + 2 * _GAP
         labels = [plain.horizontalAdvance(one.label) for one in item.people]
         signs = len(labels) * (2 * _radius(plain) + 2 * _GAP)
+        room = line.width() - title - signs - sum(labels) - _GAP
+        when = shown_time(QFontMetricsF(small), item.when, room)
+        painter.setFont(small)
+        painter.setPen(theme.text_muted)
+        painter.drawText(line, _RIGHT, when)
+        line.setRight(line.right() - QFontMetricsF(small).horizontalAdvance(when) - _GAP)
         title = max(min(title, line.width() - signs - sum(labels)), _LEAST_TITLE * line.width())
         painter.setFont(bold)
         painter.setPen(theme.text)
@@ -166,6 +168,17 @@ class PeopleDelegate(QStyledItemDelegate, metaclass=AbstractQt):
             text, width = number, max(width, whole)  # half a number is somebody else's
         _draw_elided(painter, QRectF(line.left(), line.top(), width + 1, line.height()), text)
         line.setLeft(line.left() + width + 1.5 * _GAP)
+
+
+def shown_time(metrics: QFontMetricsF, when: str, room: float) -> str:
+    """When something is; of a span where there is no room for it when it begins, at least.
+
+    All of it stands in the tooltip: what and who come first.
+    """
+    begin, space, _ = when.partition(" ")
+    if not space or metrics.horizontalAdvance(when) <= room:
+        return when
+    return f"{begin}\u2026"
 
 
 def _radius(metrics: QFontMetricsF) -> float:

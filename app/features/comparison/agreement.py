@@ -16,13 +16,7 @@ from tracking.editing import Change, plan_take_range
 from tracking.errors import SessionError
 from tracking.progress import Progress
 from tracking.recording import Recording
-from tracking.scoring import (
-    DISAGREEMENT_GAP_S,
-    Agreement,
-    Disagreement,
-    ScoringTable,
-    agreement,
-)
+from tracking.scoring import Agreement, Disagreement, ScoringTable, agreement, stretch_gap
 from tracking.session import Session
 from tracking.tracks import TrackTable, next_track
 
@@ -83,7 +77,7 @@ def _compared(own: Session, a: TrackTable, b: TrackTable, report: Progress) -> A
     report(2, _STEPS)
     table_b = ScoringTable.from_columns(b.columns())
     report(3, _STEPS)
-    found = agreement(table_a, table_b, gap=round(DISAGREEMENT_GAP_S * own.recording.fps))
+    found = agreement(table_a, table_b, gap=stretch_gap(own.recording.fps))
     report(4, _STEPS)
     return found
 

@@ -12,7 +12,9 @@ from app.features.counting.panel import CountingPanel
 
 _COMMANDS: Final = (
     view_command("counts", "Counts at lines and regions", "View/Counting", ("Shift+U",)),
-    panel_command("counting", "Counting over time", "View/Counting", ("Shift+C",)),
+    panel_command(
+        "counting", "Counting over time", "View/Counting", ("Shift+C",), also="graph plot curves"
+    ),
     view_command("flow_map", "Flow map on the floor", "View/Counting", ("Shift+F",), floor),
 )
 FEATURE: Final = Feature("counting", CountController, CountingPanel, commands=_COMMANDS)

@@ -68,7 +68,9 @@ VIEWS: Final = (
         ("Shift+O",),
         run=lambda app: _toggle(app, "part_particles"),
     ),
-    panel_command("curves", "Parts over time", "View/Body parts", ("Shift+Q",)),
+    panel_command(
+        "curves", "Parts over time", "View/Body parts", ("Shift+Q",), also="graph plot curves"
+    ),
 )
 FAILURES: Final[tuple[Command[ViewState], ...]] = (
     Command(

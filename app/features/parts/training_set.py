@@ -11,7 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.core.i18n import count_text
-from tracking.errors import TrainingError
+from tracking.errors import SessionError, TrainingError
 from tracking.failure import (
     Samples,
     joined,
@@ -115,6 +115,8 @@ def source_at(path: Path, *, from_truth: bool = False, allow_outside: bool = Fal
     Raises SessionError or FormatError where it is neither or cannot be read, TrainingError where
     no parts were tracked or labels cannot be made from truth, RecordingMissing.
     """
+    if path.is_dir():
+        raise SessionError("{path}: this is a folder; name a session file", path=path)
     exported = samples_at(path)
     if exported is not None:
         if from_truth:

@@ -27,10 +27,11 @@ from app.core.drawing.part_cards import draw_cards
 from app.core.drawing.part_marks import draw_part_boxes, draw_part_particles
 from app.core.drawing.people_marks import draw_ghosts, draw_people, draw_preview
 from app.core.drawing.suggested_marks import draw_suggested
-from app.core.drawing.truth_marks import draw_truth_boxes
+from app.core.drawing.truth_marks import draw_truth_corners, draw_truth_signs
 from app.core.drawing.viewport import Viewport
 from app.core.look.theme import Theme, scaled_font
 from app.core.scenes import LegendEntry, PersonMark, PictureScene
+from app.core.scenes.ground_truth import ErrorsOf, PicturedTruth
 from app.core.scenes.other_people import OtherMark
 from app.core.scenes.picture_marks import PictureMarks
 from app.features.pictures.box_names import BoxNameInput, BoxNamePainter
@@ -135,19 +136,26 @@ class PicturePainter:
             draw_people(painter, scene.people, view)
         with _within(painter, other):
             draw_people(painter, others, view)
-        _draw_parts(painter, given)
+        with _within(painter, own):
+            _draw_parts(painter, given)
+        truths = list(_divided_truth(marks, shown, own, other))
+        for truth, area in truths:  # below people's names, which they would hide
+            with _within(painter, area):
+                draw_truth_corners(painter, truth, view, theme)
         draw_outline_names(painter, labels, theme)
         kept_off = [*given.reserved, *captions.taken, *(label.rect for label in labels)]
         names = self._draw_names(self.naming, painter, given, scene.people, own, kept_off)
         if others:
             names += self._draw_names(self._naming, painter, given, others, other, kept_off)
-        draw_truth_boxes(painter, marks.truth, view, theme, shown)
+        for truth, area in truths:
+            with _within(painter, area):
+                draw_truth_signs(painter, truth, view, theme, area)
         if marks.divider is not None:
             draw_divider(painter, marks.divider, view.rect(given.content), shown, theme)
         handles(painter, shown)
         painter.setFont(scaled_font(given.font, 0.92))
         if given.captions:
-            _draw_cards(painter, given, [*names, *kept_off], theme)
+            _draw_cards(painter, given, own, [*names, *kept_off], theme)
             draw_captions(painter, captions, *_words(given), theme)
 
     def _draw_names(
@@ -180,6 +188,18 @@ def _as_people(others: Sequence[OtherMark]) -> tuple[PersonMark, ...]:
         )
         for one in others
     )
+
+
+def _divided_truth(
+    marks: PictureMarks, shown: QRectF, own: QRectF, other: QRectF
+) -> Iterator[tuple[PicturedTruth, QRectF]]:
+    """The truth and where it is drawn: its errors where the version is drawn that was scored."""
+    truth = marks.truth
+    if marks.divider is None:
+        yield truth, shown
+        return
+    for version, area in ((ErrorsOf.SOLID, own), (ErrorsOf.DASHED, other)):
+        yield truth if truth.errors_of is version else truth.without_errors, area
 
 
 @contextmanager
@@ -217,15 +237,21 @@ def _lay_out_captions(given: PictureInput) -> Captions:
     return lay_out(metrics, given.area, *_words(given), people, given.reserved)
 
 
-def _draw_cards(painter: QPainter, given: PictureInput, taken: list[QRectF], theme: Theme) -> None:
-    """What is said of parts: also beside the picture, where there is room.
+def _draw_cards(
+    painter: QPainter, given: PictureInput, own: QRectF, taken: list[QRectF], theme: Theme
+) -> None:
+    """What is said of parts of those who are drawn: also beside the picture, where there is room.
 
     A low picture has room for the selected person's alone.
     """
     view = given.viewport
     people = {one.track: view.rect(QRectF(*one.box)) for one in given.scene.people}
+    if given.marks.divider is not None:
+        people = {track: rect for track, rect in people.items() if own.intersects(rect)}
     inside = given.area.adjusted(2, 2, -2, -2)
     cards = [one for one in given.marks.parts.cards if one.selected or not given.low]
+    if given.marks.divider is not None:
+        cards = [one for one in cards if one.track in people]
     draw_cards(painter, cards, view, inside, people, taken, theme)
 
 

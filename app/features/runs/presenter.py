@@ -9,7 +9,9 @@ from typing import Final
 import numpy as np
 
 from app.core.commands.conditions import read_only
+from app.core.document.detector_choice import DETECTOR, DetectorChoice
 from app.core.document.edit_history import local_time
+from app.core.fact_texts import setting_text
 from app.core.i18n import count_text, joined_text, tr
 from app.core.scenes.score_figures import figure_named
 from tracking.formats import read_mot
@@ -19,6 +21,7 @@ from tracking.scoring import Score, ScoringTable, score
 from tracking.session import Session
 from tracking.trackers import TRACKERS, changed_settings
 from tracking.tracks import Columns, Run
+from tracking.translation import tr as translated
 
 Range = tuple[int, int]
 """Half-open, of frames."""
@@ -50,6 +53,7 @@ class RunRow:
         people: in the frames that are scored; "" while they are not, and differ from its own.
         figures: against the truth, one for each of `RUN_FIGURES`; () without.
         why_not_corrected: why the corrected tracks cannot begin as it; "" where they can.
+        why_not_again: why nothing can be tracked with its settings; "" where it can.
         why_not_compared: why it cannot be compared with the corrected tracks; "" where it can.
         notes: what was told of the tracking, in lines; "" for nothing.
     """
@@ -64,6 +68,7 @@ class RunRow:
     figures: tuple[str, ...] = ()
     why_not_corrected: str = ""
     why_not_compared: str = ""
+    why_not_again: str = ""
     notes: str = ""
 
 
@@ -74,14 +79,15 @@ class RunsScene:
     Attributes:
         proposed: the number of the newest run that is not the one being corrected; of this one
             where there is no other, `CORRECTED` where there is none at all.
-        scored: there is a truth. can_drop: the last run can go.
+        scored: there is a truth.
+        why_not_dropped: why the last run cannot be deleted; "" where it can, or there is none.
         share_text: what offers to score all rows over the frames they share; "" where all have the
             same frames, or none are in all of them. over: which frames the figures are about.
     """
 
     rows: tuple[RunRow, ...]
     scored: bool
-    can_drop: bool
+    why_not_dropped: str
     share_text: str
     over: str
     proposed: int = CORRECTED
@@ -106,14 +112,24 @@ class RunList:
         """The runs as they stand."""
         session = self._session
         rows = [self._corrected(), *(self._row(n, run) for n, run in enumerate(session.runs))]
-        last = len(session.runs) - 1
-        can_drop = last >= 0 and session.adopted_run != last and not session.read_only
         scored = self._recording.truth_path is not None
         common, share_text = self._common, ""
         if scored and common is not None:
             share_text = tr("Score all rows over frames {frames}", frames=_range_text(common))
         over = self._over_text(common)
-        return RunsScene(tuple(rows), scored, can_drop, share_text, over, self._proposed)
+        return RunsScene(
+            tuple(rows), scored, self._why_not_dropped, share_text, over, self._proposed
+        )
+
+    @property
+    def _why_not_dropped(self) -> str:
+        session = self._session
+        last = len(session.runs) - 1
+        if session.read_only:
+            return read_only()
+        if last >= 0 and session.adopted_run == last:
+            return tr("The last run is the one being corrected: correct another one first.")
+        return ""
 
     @property
     def _proposed(self) -> int:
@@ -202,6 +218,7 @@ class RunList:
             self._people(CORRECTED, len(session.tracks.track_ids)),
             self._figures_of(CORRECTED),
             why_not_corrected=tr("Select a run to correct it."),
+            why_not_again=tr("Select a run to track again with its settings."),
         )
 
     def _row(self, number: int, run: Run) -> RunRow:
@@ -219,6 +236,7 @@ class RunList:
             self._figures_of(number),
             why_not_corrected=self._why_not_corrected(number),
             why_not_compared=self._why_not_compared(number),
+            why_not_again=self._why_not_again(run),
             notes="\n".join(map(tr, run.notes)),
         )
 
@@ -227,6 +245,13 @@ class RunList:
             return tr("This run is the one being corrected.")
         if self._live:
             return tr("A tracker is running: stop it first.")
+        return read_only() if self._session.read_only else ""
+
+    def _why_not_again(self, run: Run) -> str:
+        if self._live:
+            return tr("A tracker is running: stop it first.")
+        if run.tracker not in TRACKERS:
+            return tr("Its tracker is not installed here.")
         return read_only() if self._session.read_only else ""
 
     def _why_not_compared(self, number: int) -> str:
@@ -261,10 +286,17 @@ def _scored(truth: Columns, columns: Columns, frames: tuple[int, int]) -> Score:
 def _settings_text(run: Run) -> str:
     """The settings that are not the tracker's defaults; of an unknown tracker, none."""
     known = changed_settings(run.tracker, run.settings) if run.tracker in TRACKERS else {}
-    changed = [f"{name} {value}" for name, value in known.items()]
+    changed = [f"{name} {_value_text(name, value)}" for name, value in known.items()]
     if run.seed:
         changed.append(tr("seed {n}", n=run.seed))
     return joined_text(", ", changed)
+
+
+def _value_text(name: str, value: object) -> str:
+    """A setting as `info` tells it; a detector that was trained here by when, not by its path."""
+    if name == DETECTOR and isinstance(value, str):
+        return DetectorChoice(value).name
+    return translated(setting_text(value))
 
 
 def _range_text(frames: tuple[int, int]) -> str:

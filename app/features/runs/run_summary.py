@@ -107,12 +107,28 @@ class RunSummary:
         return joined_text(" ", (self._frames_text, self._found_text, *ids, kept))
 
 
-def meanwhile() -> str:
-    """What can be done while a further run is made."""
-    return tr(
+def meanwhile(session: Session) -> str:
+    """What can be done while a further run is made, and what becomes of the corrected tracks."""
+    said = tr(
         "Another run is being tracked. Move the playhead or play to see and correct your own "
-        "tracks meanwhile; Follow shows the new run again. When the run ends, the corrected "
-        "tracks and the tracks in view stay as they are."
+        "tracks meanwhile; Follow shows the new run again."
+    )
+    return joined_text(" ", (said, describe_coming_run(session)))
+
+
+def describe_coming_run(session: Session) -> str:
+    """What becomes of the corrected tracks when a run ends; "" where no run made them."""
+    before = session.adopted_run
+    if len(session.history):
+        return tr("The corrected tracks stay as they are; the new result is kept beside them.")
+    if before is None:
+        return ""
+    return tr(
+        "No track has been edited: at its end the new run takes the place of the corrected tracks "
+        "of run {before}, which stay under Runs{key}; unless you look at your own tracks then, or "
+        "it has fewer frames.",
+        before=before,
+        key=in_brackets("tracks.runs"),
     )
 
 

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from PySide6.QtCore import QItemSelectionModel, Qt, Signal, SignalInstance
-from PySide6.QtGui import QCloseEvent, QResizeEvent
+from PySide6.QtGui import QCloseEvent, QGuiApplication, QKeyEvent, QKeySequence, QResizeEvent
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QCheckBox,
@@ -31,6 +31,8 @@ from tracking.scoring import Score
 
 _WIDEST = 2
 """The column of what was changed of settings."""
+_SETTINGS_LETTERS = 14
+"""That this column has at least; all of it is in its tooltip."""
 _FIGURES = len(RUN_FIGURES)
 """Columns that only a truth fills, the last ones."""
 _MOST_ROWS = 10  # that are seen without scrolling
@@ -47,12 +49,14 @@ class RunsDialog(QDialog):
         compare_asked(int, int): a run with another one, or with `CORRECTED`.
         beside_asked(int, int): the same, with the pictures divided between the two.
         correct_asked(int): have this run's tracks be the ones to correct.
+        again_asked(int): track again with the settings of this run.
         drop_asked(int): forget the last run.
     """
 
     compare_asked = Signal(int, int)
     beside_asked = Signal(int, int)
     correct_asked = Signal(int)
+    again_asked = Signal(int)
     drop_asked = Signal(int)
 
     def __init__(self, runs: RunList, parent: QWidget | None = None) -> None:
@@ -87,13 +91,14 @@ class RunsDialog(QDialog):
         titles = [
             tr("Tracks"),
             tr("Tracker"),
-            tr("Settings changed"),
+            tr("Settings"),
             tr("Frames"),
             tr("Made"),
             tr("People"),
             *map(_title, RUN_FIGURES),
         ]
         told = {_title(figure): tr(figure.hint) for figure in RUN_FIGURES}
+        told[tr("Settings")] = tr("Those that differ from the tracker's defaults")
         told[tr("People")] = tr("In the frames that are scored")
         table = QTableWidget(0, len(titles), self)
         for column, title in enumerate(titles):
@@ -142,11 +147,16 @@ class RunsDialog(QDialog):
         self._drop = QPushButton(tr("Delete the last run"), self)
         self._drop.setAutoDefault(False)
         self._drop.clicked.connect(self._ask_drop)
+        self._again = QPushButton(tr("Track again..."), self)
+        self._again.setAutoDefault(False)
+        self._again.setAccessibleName(tr("Track again with these settings"))
+        self._again.clicked.connect(self._ask_again)
         close = QPushButton(tr("Close"), self)
         close.setAutoDefault(False)
         close.clicked.connect(self.reject)
         line = QHBoxLayout()
         line.addWidget(self._drop)
+        line.addWidget(self._again)
         line.addStretch(1)
         line.addWidget(close)
         line.addWidget(self._correct)
@@ -187,7 +197,9 @@ class RunsDialog(QDialog):
         self._table.setMinimumHeight(self._height_of(min(len(scene.rows), _MOST_ROWS)))
         for column in range(self._table.columnCount() - _FIGURES, self._table.columnCount()):
             self._table.setColumnHidden(column, not scene.scored)
-        self._drop.setVisible(scene.can_drop)
+        self._drop.setVisible(any(row.number != CORRECTED for row in scene.rows))
+        self._drop.setEnabled(not scene.why_not_dropped)
+        self._drop.setToolTip(scene.why_not_dropped)
         for widget, text in ((self._share, scene.share_text), (self._over, scene.over)):
             widget.setText(text)
             widget.setVisible(bool(text))
@@ -195,14 +207,16 @@ class RunsDialog(QDialog):
         self._enable()
 
     def resizeEvent(self, event: QResizeEvent) -> None:  # noqa: N802 - Qt's name
-        """The widest column takes the room that is left, and scrolls where that is too little."""
+        """The column of settings takes the room that is left, and ends in an ellipsis there."""
         super().resizeEvent(event)
         head = self._table.horizontalHeader()
         others = sum(head.sectionSize(at) for at in range(head.count()) if at != _WIDEST)
         left = self._table.viewport().width() - others
+        least = _SETTINGS_LETTERS * self.fontMetrics().averageCharWidth()
         mode = QHeaderView.ResizeMode
-        fits = left >= head.sectionSizeHint(_WIDEST)
-        head.setSectionResizeMode(_WIDEST, mode.Stretch if fits else mode.ResizeToContents)
+        head.setSectionResizeMode(_WIDEST, mode.Stretch if left >= least else mode.Fixed)
+        if left < least:
+            head.resizeSection(_WIDEST, least)
 
     def _height_of(self, rows: int) -> int:
         """So many rows, and the headings above, without a scroll bar."""
@@ -232,6 +246,16 @@ class RunsDialog(QDialog):
             text = tr("Select a run, or two of them with Ctrl, to compare.")
         self._about.setText(text)
         self._enable_correcting(chosen)
+        self._enable_again(chosen)
+
+    def _enable_again(self, chosen: list[int]) -> None:
+        why_not = {row.number: row.why_not_again for row in self._scene.rows}
+        one = len(chosen) == 1
+        said = why_not[chosen[0]] if one else tr("Select one run to track with its settings.")
+        self._again.setEnabled(not said)
+        self._again.setToolTip(
+            said or tr("Opens the same tracker, settings and seed to be changed")
+        )
 
     def _enable_correcting(self, chosen: list[int]) -> None:
         why_not = {row.number: row.why_not_corrected for row in self._scene.rows}
@@ -244,6 +268,30 @@ class RunsDialog(QDialog):
                 "fewer frames, you first see what would change, and take that as one edit."
             )
         )
+
+    def _ask_again(self) -> None:
+        number = self.chosen[0]
+        self.accept()
+        self.again_asked.emit(number)
+
+    def keyPressEvent(self, event: QKeyEvent) -> None:  # noqa: N802 - Qt's name
+        """Copy as in every table."""
+        if event.matches(QKeySequence.StandardKey.Copy):
+            self.copy()
+        else:
+            super().keyPressEvent(event)
+
+    def copy(self) -> None:
+        """Put the chosen rows, or all, on the clipboard: headings and cells, parted by tabs."""
+        numbers = self.chosen or [row.number for row in self._scene.rows]
+        head, table = self._table.horizontalHeader(), self._table
+        shown = [at for at in range(head.count()) if not table.isColumnHidden(at)]
+        model = table.model()
+        rows = [[str(model.headerData(at, Qt.Orientation.Horizontal)) for at in shown]]
+        for at, row in enumerate(self._scene.rows):
+            if row.number in numbers:
+                rows.append([str(model.index(at, column).data()) for column in shown])
+        QGuiApplication.clipboard().setText("\n".join(map("\t".join, rows)))
 
     def _ask_correct(self) -> None:
         number = self.chosen[0]
@@ -323,7 +371,7 @@ def _title(figure: Figure) -> str:
     """Its name, short enough for a column."""
     short = {
         "People kept": tr("Kept"),
-        "Position error (median)": tr("Position error"),
+        "Position error (median)": tr("Position"),
     }
     return short.get(figure.name) or tr(figure.name)
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 from PySide6.QtCore import Qt
@@ -37,7 +37,7 @@ from tracking.errors import TrackwrightError
 from tracking.plugins import CatalogueFault
 from tracking.recording import Recording
 from tracking.settings import settings_values
-from tracking.trackers import TRACKERS, best_tracker, require
+from tracking.trackers import TRACKERS, SettingField, best_tracker, require, settings_fields
 
 _EXPERT = "track/expert settings"
 
@@ -249,8 +249,15 @@ class TrackDialog(QDialog):
             self._forms.setCurrentIndex(index)
             self._parts.show_for(spec.settings_type)
             self._detections.show_for(spec.settings_type, stereo=spec.needs_stereo)
-            self._expert.setText(tr("Expert settings ({n})", n=self.form.expert_count))
+            self._expert.setText(self._expert_words(settings_fields(spec.settings_type)))
             self._find()
+
+    def _expert_words(self, fields: Sequence[SettingField]) -> str:
+        """How many there are, of how many the command line lists: some have fields above."""
+        shown, all_ = self.form.expert_count, sum(field.expert for field in fields)
+        if shown == all_:
+            return tr("Expert settings ({n})", n=shown)
+        return tr("Expert settings ({n} of {all})", n=shown, all=all_)
 
     def _show_expert(self, shown: bool) -> None:
         """Show or hide the expert settings of all trackers, and next time too."""

@@ -93,9 +93,10 @@ class ScoreController(FeatureController):
         people = self.presenter.people if view_options.truth else None
         if people is None:
             return None
+        scored = self.presenter.scored_version
 
         def mark(marks: PictureMarks, side: Side, state: FrameState, _: int) -> PictureMarks:
-            return replace(marks, truth=people.picture(side, state))
+            return replace(marks, truth=people.picture(side, state, scored))
 
         return mark
 
@@ -104,9 +105,10 @@ class ScoreController(FeatureController):
         people = self.presenter.people if view_options.truth else None
         if people is None:
             return None
+        scored = self.presenter.scored_version
 
         def mark(marks: FloorMarks, state: FrameState) -> FloorMarks:
-            return replace(marks, truth=people.floor(state))
+            return replace(marks, truth=people.floor(state, scored))
 
         return mark
 
@@ -122,9 +124,11 @@ class ScoreController(FeatureController):
         left, floor = NO_TRUTH
         right = left
         if people is not None and shown.view_options.truth:
-            left, floor = people.picture(Side.LEFT, state), people.floor(state)
+            scored = self.presenter.scored_version
+            left, floor = people.picture(Side.LEFT, state, scored), people.floor(state, scored)
             left = replace(left, floor_tells=view.floor.shows_floor)
-            right = people.picture(Side.RIGHT, state) if shown.cameras == "both" else right
+            if shown.cameras == "both":
+                right = people.picture(Side.RIGHT, state, scored)
         view.left.show_truth(left)
         view.right.show_truth(right)
         view.floor.show_truth(floor)

@@ -114,6 +114,8 @@ class ScorePanel(FeaturePanel):
         self._truth.activated.connect(self.truth_chosen)
         self._result = ElidingList(tr("Whose tracks are scored"), self)
         self._result.activated.connect(self.result_chosen)
+        for chooser in (self._truth, self._result):
+            chooser.take_room()
         line.addWidget(quiet_beside(tr("Ground truth"), self))
         line.addWidget(self._truth, 6)
         line.addWidget(quiet_beside(tr("Result"), self))

@@ -17,7 +17,7 @@ from app.core.keymap import in_brackets
 from app.core.projection.concern import CONCERNED, Concern
 from app.core.scenes import HistoryItem
 from app.core.scenes.error_events import ErrorEvents
-from app.core.scenes.ground_truth import ERROR_COLOURS, ErrorLane, ErrorLanes
+from app.core.scenes.ground_truth import ERROR_COLOURS, ErrorLane, ErrorLanes, ErrorsOf
 from app.core.scenes.score_figures import ScoreRow, rows_of
 from app.features.scoring.moves import Moves, edits_in_force
 from app.features.scoring.scene import ErrorChoice, ScoreScene
@@ -28,7 +28,7 @@ from app.features.scoring.subject import (
     ScoreSubject,
     ScoringInput,
 )
-from app.features.scoring.truth_people import TruthPeople
+from app.features.scoring.truth_people import IN_VIEW, Scored, TruthPeople
 from app.features.scoring.truths import TruthKind, TruthSource, capture_truth, name_of, refuse_own
 from tracking.scoring import ErrorKind
 from tracking.tracks import Columns
@@ -205,6 +205,20 @@ class ScoringPresenter:
             self._people = (scored, made)
         return self._people[1]
 
+    @property
+    def scored_version(self) -> Scored:
+        """Whose errors are shown, where two versions are compared."""
+        two, session = self._document.comparison, self._document.session
+        if two is None or session is None:
+            return IN_VIEW
+        own = self.track_source
+        name = list_track_sources(self._document)[own + 1]
+        if own == (SHOWN if two.base is None else two.base):
+            return Scored(ErrorsOf.SOLID, name)
+        if own == two.run:
+            return Scored(ErrorsOf.DASHED, name, session.runs[own])
+        return Scored(ErrorsOf.NEITHER, name)
+
     def concern_at(self, frame: int) -> Concern | None:
         """Who the errors that begin in a frame are about, in the truth and in the result."""
         events, people = self.events, self.people
@@ -306,6 +320,8 @@ class ScoringPresenter:
     def why_nothing(self) -> str:
         """Why nothing is scored, and what to do; "" where something is, or will be."""
         if not self._document.tracks.ids:
+            if self._document.at_work:
+                return self._words_at_work
             return tr(
                 "Track the recording first{key}: its tracks are scored then.",
                 key=in_brackets("tracks.track"),
@@ -318,6 +334,15 @@ class ScoringPresenter:
         if self._refused is not None and self.scored is None:
             return self._refused[1]
         return ""
+
+    @property
+    def _words_at_work(self) -> str:
+        """What is said until a tracker at work has its first tracks."""
+        if self.scored is None:
+            return tr("A tracker is running: its tracks are scored once there are some.")
+        return tr(
+            "A tracker is running: these figures are of the tracks before, until it has its own."
+        )
 
     @staticmethod
     def _range_text(frames: Range) -> str:

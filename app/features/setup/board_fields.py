@@ -35,9 +35,9 @@ class BoardFields:
         form.addRow(tr("Size"), size)
         self.told = plain("", page)
         form.addRow(self.told)
-        self.square = page.number(" mm", 0.0, 5000.0, 2, changed)
+        self.square = page.number(" mm", 0.0, 5000.0, 3, changed)
         self.square.setSpecialValueText(tr("not measured"))
-        form.addRow(tr("Square"), named(self.square, tr("Side of a square")))
+        form.addRow(tr("Square, mm"), named(self.square, tr("Side of a square")))
 
     def fill(self, board: BoardForm) -> None:
         """What was entered."""

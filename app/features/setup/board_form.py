@@ -10,6 +10,7 @@ from PySide6.QtCore import Qt
 from PySide6.QtWidgets import (
     QAbstractItemView,
     QHBoxLayout,
+    QHeaderView,
     QLineEdit,
     QPushButton,
     QSizePolicy,
@@ -83,7 +84,9 @@ class BoardPanel(QWidget):
         table = QTableWidget(0, 2, self)
         table.setHorizontalHeaderLabels([tr("Picture"), tr("Error, px")])
         table.verticalHeader().hide()
-        table.horizontalHeader().setStretchLastSection(True)
+        fit = QHeaderView.ResizeMode
+        table.horizontalHeader().setSectionResizeMode(0, fit.Stretch)
+        table.horizontalHeader().setSectionResizeMode(1, fit.ResizeToContents)
         table.setEditTriggers(QAbstractItemView.EditTrigger.NoEditTriggers)
         table.setSelectionBehavior(QAbstractItemView.SelectionBehavior.SelectRows)
         table.setAccessibleName(tr("Pictures of the board; unchecked ones are left out"))
@@ -130,7 +133,6 @@ class BoardPanel(QWidget):
             said = text if used else out
             self.table.setItem(row, 0, item)
             self.table.setItem(row, 1, QTableWidgetItem(said))
-        self.table.resizeColumnToContents(0)
         self.table.blockSignals(False)
 
     # gestures

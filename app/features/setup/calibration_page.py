@@ -57,6 +57,10 @@ class CalibrationPage(StepPage):
         self.method = self.choice(methods, self._choose_method)
         form.addRow(tr("Method"), named(self.method, tr("Method of calibration")))
         self.rows.addLayout(form)
+        self.misfit = plain("", self, "warning")  # above the form of a method, which may be high
+        self.misfit.hide()
+        self.rows.addWidget(self.misfit)
+        self._warned: tuple[Path, ...] = ()
         self.pages = QStackedWidget(self.widget())
         self.board = BoardPanel(self, remembered)
         self.rough = RoughPanel(self)
@@ -114,6 +118,10 @@ class CalibrationPage(StepPage):
         self.pages.setCurrentIndex(_METHODS.index(state.calibration_method))
         files = plan.calibration if plan is not None else ()
         names = ", ".join(path.name for path in files)
+        if files and state.calibration_told:  # its file is kept here, under a name of no meaning
+            known = scene.checked.calibration
+            rough = known is not None and known.rough
+            names = tr("Rough calibration") if rough else tr("Calibration from the board")
         self.file.setText(names or tr("No calibration yet."))
         self.board.fill(scene)
         self.rough.fill(scene)
@@ -135,15 +143,38 @@ class CalibrationPage(StepPage):
         calibration, images = scene.checked.calibration, scene.images
         if calibration is None or images is None or images.right is None:
             self._rectified = None
-            self.rows_told.setText("")
+            self._show_rows(scene)
             return
         if self.isVisible():
             self._previews.ask((calibration, images))
 
     def _take_preview(self, found: RectifiedPreview | None) -> None:
         self._rectified = found
-        self.rows_told.setText(rows_told(found) if found is not None else "")
+        plan = self.editor.scene.checked.plan
+        if found is not None and found.row_error_px is not None and plan is not None:
+            self.editor.take_row_error(plan.calibration, found.row_error_px)
+        self._show_rows(self.editor.scene)
         self.redrawn.emit()
+
+    def _show_rows(self, scene: SetupScene) -> None:
+        """How well rows lie level: quietly where they do, else as a warning above the form."""
+        told = rows_told(self._rectified) if self._rectified is not None else ""
+        misfit = scene.misfit_px is not None
+        self.rows_told.setText("" if misfit else told)
+        self.misfit.setText(told if misfit else "")
+        self.misfit.setVisible(bool(self.misfit.text()))
+
+    def holds_back(self) -> bool:
+        """Whether the next step waits for another press: a calibration that does not fit, once."""
+        plan = self.editor.state.plan
+        if plan is None or self.editor.scene.misfit_px is None or plan.calibration == self._warned:
+            return False
+        self._warned = plan.calibration
+        self.misfit.setText(
+            f"{self.misfit.text()} {tr('Calibrate again, or press Next again to go on with it.')}"
+        )
+        self.ensureVisible(0, 0)
+        return True
 
     def picture(self, scene: SetupScene) -> SetupPicture:
         """As recorded, rectified, or covered."""

@@ -15,6 +15,7 @@ from app.core.i18n import sentence, tr
 from app.features.setup.cameras_presenter import cameras_picture
 from app.features.setup.presenter import bare
 from app.features.setup.scene import (
+    MOST_ROWS_APART_PX,
     BoardForm,
     CalibrationMethod,
     CameraImages,
@@ -33,7 +34,7 @@ from tracking.calibration.boards import (
     fit_boards,
 )
 from tracking.calibration.rectified_preview import RectifiedPreview, rectified_preview
-from tracking.calibration.rough import calibrate_images_roughly, rough_camera
+from tracking.calibration.rough import calibrate_images_roughly, calibrate_one_roughly
 from tracking.errors import CalibrationError
 from tracking.geometry import StereoCalibration
 from tracking.progress import Progress
@@ -45,6 +46,8 @@ from tracking.setup.files import may_be_camera
 from tracking.setup.plan import options_of_plan
 
 _MM = 1000.0
+_LEAST_SQUARE_MM = 1.0
+"""Of a board that a camera can see; less was meant as metres."""
 _INSTANTS = 12
 _LAST_DIGITS = re.compile(r"\d+(?=\D*$)")
 _COVERED, _BARE = (90, 220, 120), (60, 60, 220)
@@ -142,13 +145,18 @@ def board_request(form: BoardForm, stereo: bool) -> BoardRequest:
         raise CalibrationError("choose the pictures or the video of the board first")
     if stereo and form.square_mm <= 0:
         raise CalibrationError(
-            "the side of a square is not entered; measure it on the print, in mm"
+            "Square: the side of a square is not entered; measure it on the print, in mm"
         )
     return BoardRequest(form.left, form.right if stereo else None, board_of(form), form.lens)
 
 
 def board_of(form: BoardForm) -> Board:
     """The board that was entered. Raises CalibrationError: there is none like that."""
+    if 0 < form.square_mm < _LEAST_SQUARE_MM:
+        raise CalibrationError(
+            "Square: {square:g} mm is no side of a square; enter it in mm, as 25 for 0.025 m",
+            square=form.square_mm,
+        )
     square_m = form.square_mm / _MM if form.square_mm > 0 else None
     return Board(form.kind, form.columns, form.rows, square_m)
 
@@ -203,9 +211,9 @@ def calibrate_rough(
     plan = bare(plan)
     with open_recording(plan.folder, options_of_plan(plan)) as recording:
         if not recording.is_stereo:
-            camera = rough_camera(recording.size, fov_deg)
+            made_of_one = calibrate_one_roughly(recording.size, fov_deg)
             told = tr("Rough: a field of view of {fov:.0f} degrees, no distortion.", fov=fov_deg)
-            return MadeCalibration(StereoCalibration.of_one(camera, rough=True), told)
+            return MadeCalibration(made_of_one, told)
         last, lag = recording.frame_count - 1, plan.lag or 0
         numbers = np.unique(np.linspace(max(0, -lag), last - max(0, lag), _INSTANTS).astype(int))
         views = []
@@ -234,7 +242,7 @@ def rows_told(found: RectifiedPreview) -> str:
     """How well the rows of both cameras lie level, in words."""
     if found.row_error_px is None:
         return tr("Rows cannot be compared: too few points are seen by both cameras.")
-    if found.row_error_px <= 1.0:
+    if found.row_error_px <= MOST_ROWS_APART_PX:
         return tr("Rows of the same point are {px:.2f} px apart.", px=found.row_error_px)
     return tr(
         "Rows of the same point are {px:.2f} px apart: above 1 px the calibration does not fit.",

@@ -119,6 +119,11 @@ class SetupEditor(QObject):
         if self.scene.problems.get(step, "") != problem:
             self._draw(problems={**self.scene.problems, step: problem})
 
+    def take_row_error(self, files: tuple[Path, ...], px: float) -> None:
+        """Note how far rows are apart with a calibration, as its rectified pair shows."""
+        if self.scene.row_error != (files, px):
+            self._draw(row_error=(files, px))
+
     def show_at(self, share: float) -> None:
         """Show another instant of the footage, 0 to 1."""
         self._share = share

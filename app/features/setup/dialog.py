@@ -208,7 +208,7 @@ class SetupDialog(QDialog):
         """The next step; at the last one it is written."""
         if self.page is self.write:
             self._write()
-        else:
+        elif not (self.page is self.calibration and self.calibration.holds_back()):
             self.steps.choose(self._stack.currentIndex() + 1)
 
     def go_back(self) -> None:

@@ -104,6 +104,8 @@ def mark_of(step: Step, scene: SetupScene) -> tuple[Mark, str]:
     if step is Step.CALIBRATION:
         if not plan.calibration:
             return Mark.OPEN, tr("no metres yet")
+        if scene.misfit_px is not None:
+            return Mark.WARNING, tr("does not fit")
         rough = scene.checked.calibration is not None and scene.checked.calibration.rough
         if rough or (plan.is_stereo and scene.checked.missing):
             return Mark.WARNING, tr("rough") if rough else tr("one camera")

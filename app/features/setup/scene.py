@@ -26,6 +26,8 @@ FloorMethod = Literal["measured", "typed", "points", "distances", "board", "pose
 Shown = Literal["cameras", "rectified", "coverage"]
 OutlineKind = Literal["look", "mask", "occluder", "line"]
 """Of the first two recording.toml tells, of the others the session."""
+MOST_ROWS_APART_PX = 1.0
+"""Rows of the same point in a rectified pair whose calibration fits lie no farther apart."""
 Distance = tuple[int, int, float]
 """Numbers of two points, from 0, and metres between them."""
 
@@ -158,6 +160,8 @@ class SetupScene:
         boards: the calibration by boards, where one was made.
         doing: the long work that runs, in words; "": none.
         problems: what failed, beside the step it is of.
+        row_error: how far the rows of a point are apart in the rectified pair, px, and in which
+            calibration files; None: not looked at.
     """
 
     state: SetupState = SetupState()
@@ -166,6 +170,15 @@ class SetupScene:
     boards: BoardCalibration | None = None
     doing: str = ""
     problems: dict[Step, str] = field(default_factory=dict)
+    row_error: tuple[tuple[Path, ...], float] | None = None
+
+    @property
+    def misfit_px(self) -> float | None:
+        """How far rows are apart where that says the calibration does not fit; None: it may."""
+        plan = self.state.plan
+        if plan is None or self.row_error is None or self.row_error[0] != plan.calibration:
+            return None
+        return self.row_error[1] if self.row_error[1] > MOST_ROWS_APART_PX else None
 
     @property
     def busy(self) -> bool:

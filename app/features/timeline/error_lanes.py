@@ -165,8 +165,14 @@ class ErrorLanesView(QWidget):
         if lane is None or scene is None:
             return ""
         if at.x() < self._axis.left:
-            told = tr("{0}: {1} in {2} places. Click one to go there.")
-            return told.format(lane.name, lane.count, len(lane.events))
+            return tr(
+                "{name}: {n} in {places} places. Click one to go there.\nIn the frames that are "
+                "shown: {rate:.2f} a second",
+                name=lane.name,
+                n=lane.count,
+                places=len(lane.events),
+                rate=self._rate(lane, scene.fps),
+            )
         frame = self._axis.frame_at(at.x())
         first, end = self._near(at.x())
         there = lane.events.at(first, end)
@@ -177,6 +183,13 @@ class ErrorLanesView(QWidget):
         if len(there) > _MOST_TOLD:
             lines.append(tr("and {0} more").format(len(there) - _MOST_TOLD))
         return "\n".join(lines)
+
+    def _rate(self, lane: ErrorLane, fps: float) -> float:
+        """Errors a second in the frames that are shown."""
+        axis = self._axis
+        first = axis.frame_at(axis.left)
+        end = min(int(np.ceil(axis.start + axis.frames)), len(lane.density))
+        return float(lane.density[first:end].sum()) * fps / max(end - first, 1)
 
     def _near(self, x: float) -> tuple[int, int]:
         """The half-open frames within reach of the mouse."""

@@ -150,6 +150,28 @@ def test_open_shows_what_is_named(
     assert shown == [Shown(path, False, None) for path in paths]
 
 
+@pytest.mark.parametrize("name", ["nope.h5", "nope"])
+def test_a_path_that_holds_nothing_is_told_before_any_window(
+    trackwright: Trackwright, tmp_path: Path, shown: list[Shown], name: str
+) -> None:
+    status, _, err = trackwright("open", tmp_path / name)
+    assert status == 1
+    assert err.count("\n") == 1
+    assert "check the path" in err
+    assert not shown
+
+
+def test_a_session_that_is_gone_is_opened_where_there_are_backups(
+    trackwright: Trackwright, session: Path, shown: list[Shown]
+) -> None:
+    with closing(Session.open(session)) as opened:
+        opened.apply(plan_delete(opened.tracks, opened.tracks.track_ids[0], 0, 80))
+        opened.save()
+    session.unlink()
+    assert trackwright("open", session)[0] == 0
+    assert shown
+
+
 def test_open_needs_a_screen(
     trackwright: Trackwright, footage: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:

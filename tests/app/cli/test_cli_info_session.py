@@ -34,7 +34,7 @@ def test_runs_and_labels_have_lines_of_their_own(
     start, end = tiny_run.frames
     assert lines["run 0"] == f"{tiny_run.tracker}, frames {start} to {end - 1}, seed 0"
     assert lines["run 1"].startswith(f"three-part, frames {start} to {end - 1}, seed 7, file ")
-    assert "detector ab12, adjust no, " in lines["run 1"]
+    assert "detector ab12, adjust off, " in lines["run 1"]
     assert "…" in lines["run 1"]
     assert lines["hip-leg labels"] == "on 0, off 0, unsure 1"
     assert lines["reviewed ranges"] == "0"

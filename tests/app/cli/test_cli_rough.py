@@ -3,11 +3,13 @@
 from __future__ import annotations
 
 import json
+import math
 from pathlib import Path
 
 import pytest
 from command_line import Trackwright
 
+from tracking.geometry import read_calibration
 from tracking.recording import open_recording
 from tracking.session import Session
 from tracking.tracks import Run
@@ -61,3 +63,27 @@ def test_a_rough_calibration_of_videos_alone_is_written_and_told(
     assert "row_error" in printed
     assert f"written: {out}" in said
     assert out.is_file()
+
+
+def test_one_camera_is_calibrated_roughly_from_its_field_of_view_alone(
+    trackwright: Trackwright, recording: Path, tmp_path: Path
+) -> None:
+    out = tmp_path / "calibration.yaml"
+    given = ("--left", recording / "left.mp4", "--rough", "--fov", "60", "-o", out)
+    status, printed, said = trackwright("calibrate", *given)
+    assert status == 0, said
+    assert "60" in printed
+    found = read_calibration([out])
+    assert found.right is None
+    assert found.rough
+    width = found.left.size[0]
+    assert found.left.matrix[0, 0] == pytest.approx(width / 2 / math.tan(math.radians(30)))
+
+
+def test_a_right_camera_without_its_distance_is_refused(
+    trackwright: Trackwright, recording: Path
+) -> None:
+    cameras = ("--left", recording / "left.mp4", "--right", recording / "right.mp4")
+    status, _, said = trackwright("calibrate", "--rough", *cameras)
+    assert status == 2
+    assert "give both" in said

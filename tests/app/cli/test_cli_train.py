@@ -104,6 +104,12 @@ def test_labels_become_a_detector_and_a_report(
     assert json.loads((tmp_path / "r" / "report.json").read_text()).keys() < said.keys()
 
 
+def test_a_folder_is_told_to_be_none(trackwright: Trackwright, tmp_path: Path) -> None:
+    status, _, err = trackwright("train", tmp_path, "-o", tmp_path / "d.h5")
+    assert status == 1
+    assert "name a session file" in err
+
+
 def test_a_report_never_takes_the_place_of_anything_but_a_report(
     trackwright: Trackwright, labelled: Path, tmp_path: Path
 ) -> None:

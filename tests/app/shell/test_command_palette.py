@@ -222,3 +222,18 @@ def test_words_for_the_look_find_it_first(typed):
 def test_words_for_it_find_the_command_that_shows_the_whole_picture(typed):
     found = best_commands(typed, tuple(items_of(window_app()).values()))
     assert "view.whole" in [item.command for item in found]
+
+
+@pytest.mark.parametrize(
+    ("typed", "command"),
+    [
+        ("settings", "tracks.track"),
+        ("settings", "tracks.runs"),
+        ("graph", "view.curves"),
+        ("plot", "view.counting"),
+        ("plug", "tracks.track"),
+    ],
+)
+def test_words_of_engineers_find_the_command(typed, command):
+    found = best_commands(typed, tuple(items_of(window_app()).values()))
+    assert command in [item.command for item in found]

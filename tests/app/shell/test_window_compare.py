@@ -123,3 +123,15 @@ def test_the_open_session_itself_and_other_recordings_are_refused(
     qtbot.waitUntil(lambda: not window.work.busy)
     assert "of another recording" in window.notice._text.text()
     assert window.workspace.compare.isHidden()
+
+
+def test_one_comparison_is_shown_at_a_time(window, controller, compared, anns, tiny_run, qtbot):
+    session = controller.document.session
+    session.add_run(tiny_run)
+    controller.comparing.open(1, 0)
+    qtbot.waitUntil(lambda: controller.comparing.dashed is not None)
+    controller.draw()
+    assert compared.isHidden()
+    window.files.beside.compare_with(anns[0])
+    qtbot.waitUntil(lambda: window.workspace.compare.isVisible())
+    assert not controller.comparing.shown

@@ -11,8 +11,10 @@ from app.core.colours.track_colours import TrackColours
 from app.core.editing import edits
 from app.core.tracks import session_colours
 from app.features.history.controller import HistoryWalk
+from app.features.runs.run_summary import describe_coming_run
 from app.features.scoring.controller import ScoreController
 from app.shell.recording_controller import RecordingController
+from tracking.editing import plan_delete
 from tracking.errors import EditError, RecordingError
 from tracking.session import Session
 from tracking.trackers import StepResult
@@ -216,6 +218,19 @@ def test_whoever_watches_a_further_run_to_its_end_has_its_tracks_and_nobody_sele
     controller.live.finished.emit(tiny_run)
     assert controller.document.session.adopted_run == 1
     assert not controller.document.selection
+
+
+def test_before_a_further_run_it_is_said_what_becomes_of_the_corrected_tracks(controller, tiny_run):
+    session = controller.document.session
+    assert "takes the place of the corrected tracks of run 0" in describe_coming_run(session)
+    controller.document.begin_live()
+    controller.live.finished.emit(tiny_run)
+    assert session.adopted_run == 1
+    controller.document.apply(plan_delete(session.tracks, controller.document.tracks.ids[0], 0, 80))
+    assert "stay as they are" in describe_coming_run(session)
+    controller.document.begin_live()
+    controller.live.finished.emit(tiny_run)
+    assert session.adopted_run == 1
 
 
 def test_a_colour_stays_as_runs_end_and_are_dropped(controller, tiny_run):

@@ -4,14 +4,17 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import QPoint, Qt
+from PySide6.QtGui import QGuiApplication
 from PySide6.QtTest import QTest
 from shifted_runs import boxes, items, place
 
 from app.features.pictures.divider import halves
 from app.features.runs.presenter import CORRECTED
 from app.features.runs.runs_dialog import RunsDialog
+from app.features.runs.track_dialog import TrackDialog
 from app.shell.again import show_runs
 from tracking.editing import plan_delete
+from tracking.trackers import settings_values
 
 
 @pytest.fixture
@@ -89,7 +92,7 @@ def test_runs_have_the_figures_that_one_is_chosen_by(window, controller, qtbot):
     window.run_command("tracks.runs")
     dialog = window.findChild(RunsDialog)
     qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")))
-    for title in ("MOTA", "Kept", "Misses", "False alarms", "Position error"):
+    for title in ("MOTA", "Kept", "Misses", "False alarms", "Position"):
         assert all(_cells(dialog, title)), title
     dialog.reject()
 
@@ -215,7 +218,64 @@ def test_the_last_run_is_dropped_from_the_list_but_not_the_one_that_was_correcte
     dialog = window.findChild(RunsDialog)
     dialog._drop.click()
     assert len(controller.document.session.runs) == 1
-    assert dialog._drop.isHidden()
+    assert not dialog._drop.isEnabled()
+    assert "being corrected" in dialog._drop.toolTip()
+    dialog.reject()
+
+
+def test_a_run_is_tracked_again_with_its_own_settings(window, controller, qtbot, tiny_run):
+    like = replace(tiny_run, seed=7, frames=(10, 60))
+    controller.document.session.add_run(like, adopt=False)
+    window.run_command("tracks.runs")
+    dialog = window.findChild(RunsDialog)
+    dialog.choose(1)
+    dialog._again.click()
+    asked = window.findChild(TrackDialog)
+    tracker, answered, seed, frames = asked.answer()
+    assert (tracker, seed, frames) == (tiny_run.tracker, 7, (10, 60))
+    assert settings_values(answered).items() >= tiny_run.settings.items()
+    asked.reject()
+
+
+def test_chosen_runs_are_copied_as_a_table(window, controller, qtbot, tiny_run):
+    controller.document.session.add_run(replace(tiny_run, seed=7), adopt=False)
+    window.run_command("tracks.runs")
+    dialog = window.findChild(RunsDialog)
+    dialog.choose(1)
+    QTest.keyClick(dialog._table, Qt.Key.Key_C, Qt.KeyboardModifier.ControlModifier)
+    heading, row = QGuiApplication.clipboard().text().split("\n")
+    assert heading.startswith("Tracks\tTracker\tSettings")
+    assert row.split("\t")[:3] == ["run 1", tiny_run.tracker, "seed 7"]
+    dialog.reject()
+
+
+def test_settings_are_told_short_and_as_info_tells_them(
+    window, controller, qtbot, tiny_run, tmp_path
+):
+    kept = tmp_path / "a_folder_of_a_long_name" / "trained-15119b51057f0d5d.h5"
+    kept.parent.mkdir()
+    kept.touch()
+    settings = {**tiny_run.settings, "smooth": False, "detector": str(kept)}
+    run = replace(tiny_run, tracker="three-part", settings=settings)
+    controller.document.session.add_run(run, adopt=False)
+    window.run_command("tracks.runs")
+    dialog = window.findChild(RunsDialog)
+    item = dialog._table.item(2, 2)
+    assert "smooth off" in item.text()
+    assert "detector trained 20" in item.text()
+    assert "a_folder" not in item.text()
+    assert item.toolTip() == item.text()
+    dialog.reject()
+
+
+def test_no_column_is_out_of_view_at_1280(window, controller, qtbot, tiny_run):
+    settings = {**tiny_run.settings, "occluders": "x" * 300}
+    controller.document.session.add_run(replace(tiny_run, settings=settings), adopt=False)
+    window.run_command("tracks.runs")
+    dialog = window.findChild(RunsDialog)
+    qtbot.waitUntil(lambda: all(_cells(dialog, "IDF1")))
+    dialog.resize(1240, 500)
+    assert not dialog._table.horizontalScrollBar().maximum()
     dialog.reject()
 
 

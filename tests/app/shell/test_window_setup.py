@@ -14,7 +14,8 @@ from PySide6.QtWidgets import QAbstractButton, QLabel, QMessageBox, QWidget
 from pytestqt.qtbot import QtBot
 from setup_fixtures import Begin
 
-from app.features.setup.scene import Step
+from app.features.setup.presenter import mark_of
+from app.features.setup.scene import Mark, Step
 from app.shell.main_window import MainWindow
 from tests.benchmarks.setup.user import SetupUser, set_up_roughly, set_up_with_file
 from tests.calibration.rendered_boards import CAMERA, pair_of, write_pairs
@@ -312,6 +313,30 @@ def test_calibrations_that_do_not_fit_are_told_beside_and_nothing_is_lost(
     assert dialog.write.write.isEnabled()
 
 
+def test_a_calibration_of_other_cameras_is_a_warning_that_next_tells_once(
+    begin: Begin, with_calibration: Path, tmp_path: Path
+) -> None:
+    user = begin(with_calibration)
+    dialog = user.dialog
+    dialog.go_to(Step.CALIBRATION)
+    user.wait_for_rest()
+    assert mark_of(Step.CALIBRATION, dialog.editor.scene)[0] is Mark.DONE
+    calibration = read_calibration([with_calibration / "calibration.yaml"])
+    tilted, _ = cv2.Rodrigues(np.array([0.03, 0.0, 0.0]))
+    other = tmp_path / "other.yaml"
+    write_calibration(other, replace(calibration, rotation=tilted @ calibration.rotation))
+    dialog.calibration.take_files((other,))
+    user.wait_for_rest()
+    assert mark_of(Step.CALIBRATION, dialog.editor.scene) == (Mark.WARNING, "does not fit")
+    assert "does not fit" in dialog.calibration.misfit.text()
+    assert not dialog.calibration.misfit.isHidden()
+    dialog.go_on()
+    assert dialog.page is dialog.calibration
+    assert "press Next again" in dialog.calibration.misfit.text()
+    dialog.go_on()
+    assert dialog.page is dialog.floor
+
+
 def test_a_square_of_no_size_and_boards_never_found_are_told(begin: Begin, card: Path) -> None:
     user = begin(card)
     dialog = user.dialog
@@ -323,6 +348,10 @@ def test_a_square_of_no_size_and_boards_never_found_are_told(begin: Begin, card:
     user.press(board.calibrate)
     user.wait_for_rest()
     assert "is not entered" in dialog.calibration.problem.text()
+    user.type(board.fields.square, "0.025")
+    user.press(board.calibrate)
+    user.wait_for_rest()
+    assert "Square: 0.025 mm" in dialog.calibration.problem.text()
     user.type(board.fields.square, "25")
     user.press(board.calibrate)
     user.wait_for_rest()
@@ -351,6 +380,7 @@ def test_pictures_of_a_board_are_left_out_and_taken_in_again(
     user.press(form.calibrate)
     user.wait_for_rest()
     assert "Error 0." in dialog.calibration.told.text()
+    assert dialog.calibration.file.text() == "Calibration from the board"
     assert form.table.rowCount() >= 7
     used = dialog.editor.scene.boards
     assert used is not None

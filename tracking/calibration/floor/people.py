@@ -153,7 +153,9 @@ def _check(camera: Camera, seen: PeopleSeen) -> None:
     if people < _FEWEST_PEOPLE or len(cells) < _FEWEST_AREAS:
         raise CalibrationError(
             "floor: {people} to walk alone, in {areas} of the image; longer footage with people "
-            "in more places is needed, or points on the floor (--points)",
+            "in more places is needed",
+            "or give points on the floor",
+            option="--points",
             people=count_msg(people, "{n} person is seen", "{n} people are seen"),
             areas=count_msg(len(cells), "{n} part", "{n} parts"),
         )

@@ -7,9 +7,14 @@ from drawn_scenes import BLUE, person, picture
 from PySide6.QtCore import QPointF, QRectF, Qt
 
 from app.core.scenes import Side
+from app.core.scenes.ground_truth import ErrorsOf, PicturedTruth, TruthMark
 from app.core.scenes.other_people import Divider, OtherMark
+from app.core.scenes.pictured_parts import PartBox, PicturedParts
+from app.features.pictures import picture_painter
+from app.features.pictures.box_names import BoxNamePainter
 from app.features.pictures.divider import halves, is_at_divider, share_at
 from app.features.pictures.picture_view import PictureView
+from tracking.scoring import ErrorKind
 
 PLACE = QRectF(100, 0, 400, 300)
 
@@ -88,3 +93,61 @@ def test_people_of_the_other_version_are_named_like_ones_own(view, drawn):
     painter = view._painter
     assert painter.naming.named == {1}
     assert painter._naming.named == {9}
+
+
+def test_parts_lie_on_the_half_of_the_version_that_has_them(view, drawn):
+    view.show_parts(
+        PicturedParts(
+            tuple(
+                PartBox(track, 0, box, BLUE, failed=False, occluded=False, text="head")
+                for track, box in ((1, (25, 130, 30, 30)), (2, (245, 130, 30, 30)))
+            )
+        )
+    )
+    view.show_divider(Divider(0.5, "run 0", "run 1"))
+    divided = drawn(view)
+    assert inked(divided, view, (25, 130, 30, 30), is_blue)
+    assert not inked(divided, view, (245, 130, 30, 30), is_blue)
+
+
+@pytest.mark.parametrize("version", ErrorsOf)
+def test_errors_are_marked_on_the_half_of_the_version_that_was_scored(view, drawn, version):
+    alarms = [(60, 180, 40, 40), (260, 180, 40, 40)]
+    view.show_truth(
+        PicturedTruth(
+            alarms=tuple(TruthMark(box, "", ErrorKind.FALSE_ALARM) for box in alarms),
+            errors_of=version,
+        )
+    )
+    view.show_divider(Divider(0.5, "run 0", "run 1"))
+    divided = drawn(view)
+    seen = [marked(divided, view, box) for box in alarms]
+    assert seen == [version is ErrorsOf.SOLID, version is ErrorsOf.DASHED]
+
+
+def marked(shot, view, box):
+    """Whether the magenta sign of a false alarm stands at a box."""
+    left, top, width, height = box
+    a, b = view.viewport.point(left, top - 10), view.viewport.point(left + width, top + height)
+    return any(
+        (colour := shot.pixelColor(x, y)).red() > 150 and colour.blue() > 150 > colour.green() + 60
+        for x in range(round(a.x()), round(b.x()))
+        for y in range(round(a.y()), round(b.y()))
+    )
+
+
+def test_names_stand_over_the_corners_of_the_truth(view, drawn, monkeypatch):
+    order = []
+    name, corners = BoxNamePainter.draw, picture_painter.draw_truth_corners
+    monkeypatch.setattr(
+        BoxNamePainter, "draw", lambda *given: (order.append("names"), name(*given))[1]
+    )
+    monkeypatch.setattr(
+        picture_painter,
+        "draw_truth_corners",
+        lambda *given: (order.append("corners"), corners(*given))[1],
+    )
+    view.show_truth(PicturedTruth((TruthMark((20, 100, 40, 80), "T1"),)))
+    view.show_divider(Divider(0.5, "run 0", "run 1"))
+    drawn(view)
+    assert order == ["corners", "corners", "names", "names"]

@@ -6,11 +6,11 @@ from dataclasses import replace
 
 import pytest
 from PySide6.QtCore import Qt
-from PySide6.QtGui import QAction
+from PySide6.QtGui import QAction, QFont, QFontMetricsF
 
 from app.core.scenes.queue_rows import ReviewPerson, ReviewRow
 from app.core.widgets import queue_list
-from app.core.widgets.queue_list import row_height
+from app.core.widgets.queue_list import row_height, shown_time
 from app.features.review.panel import ReviewPanel
 from app.features.review.scene import ReviewScene
 
@@ -168,3 +168,12 @@ def test_the_queue_keeps_its_place_as_an_edit_changes_it(qtbot, dark):
     panel.show_scene(ReviewScene(items=tuple(ITEMS[:39]), left=39))
     qtbot.wait(1)
     assert bar.value() == 9
+
+
+def test_of_a_span_without_room_its_begin_is_told_so_that_kind_and_people_are_whole(qtbot):
+    metrics = QFontMetricsF(QFont())
+    when = "00:02.33 to 00:04.50"
+    whole = metrics.horizontalAdvance(when)
+    assert shown_time(metrics, when, whole) == when
+    assert shown_time(metrics, when, whole - 1) == "00:02.33\u2026"
+    assert shown_time(metrics, "00:02.33", 1.0) == "00:02.33"

@@ -1,5 +1,7 @@
 """The lanes of errors below those of people."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from PySide6.QtCore import QPoint, QPointF, Qt
@@ -81,6 +83,15 @@ def test_what_an_error_is_stands_in_the_tooltip(view):
     assert "person 5 changes from track 25 to 15" in words
     assert "person 5 is missed in frames 100 to 399" in view.words_at(QPointF(at(view, 1, 250)))
     assert view.words_at(QPointF(20, 5)).startswith("Switches: 2 in 2 places")
+
+
+def test_errors_a_second_are_told_of_the_frames_that_are_shown(view):
+    place = QPointF(10, at(view, 1, 0).y())
+    misses = view._scene.lanes[1]
+    seconds = len(misses.density) / 20.0
+    assert f"{misses.density.sum() / seconds:.2f} a second" in view.words_at(place)
+    view.show_axis(replace(AXIS, start=100.0, frames=200.0))
+    assert "20.00 a second" in view.words_at(place)  # one person is missed in each frame
 
 
 def test_without_errors_there_are_no_lanes(view):

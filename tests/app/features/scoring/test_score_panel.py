@@ -147,6 +147,14 @@ def test_what_has_no_room_in_a_list_ends_in_an_ellipsis_and_the_tooltip_says_it_
     assert panel._truth.toolTip() == "Ground truth\ntruth.txt beside the recording"
 
 
+@pytest.mark.parametrize("width", [560, 900, 1400])
+def test_the_truth_is_named_whole_where_there_is_room(panel, qtbot, width):
+    panel.resize(width, 480)
+    panel.show()
+    qtbot.waitUntil(panel.isVisible)
+    assert panel._truth.shown_text() == "truth.txt beside the recording"
+
+
 def test_a_limit_that_is_being_typed_stays_while_a_score_comes_in(panel, qtbot):
     field, chosen = panel._threshold, []
     panel.threshold_chosen.connect(chosen.append)

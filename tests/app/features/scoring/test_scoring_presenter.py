@@ -12,6 +12,8 @@ from app.cli.score_inputs import true_table
 from app.cli.tracks import truth_at
 from app.core.document.document import Document
 from app.core.scenes import Side
+from app.core.scenes.ground_truth import ErrorsOf
+from app.features.comparison.presenter import Comparison
 from app.features.scoring.presenter import ScoringPresenter
 from app.features.scoring.subject import score_subject
 from app.features.scoring.truths import TruthKind, TruthSource
@@ -213,6 +215,17 @@ def test_while_a_tracker_is_at_work_whole_seconds_of_it_are_scored(presenter, do
     assert presenter.current_subject().frames == document.tracks.frames
 
 
+def test_at_the_start_of_a_second_run_the_figures_are_said_to_be_of_the_tracks_before(
+    presenter, document
+):
+    score_now(presenter)
+    document.begin_live()
+    scene = presenter.scene("")
+    assert scene.rows
+    assert "these figures are of the tracks before" in scene.message
+    assert "Track the recording first" not in scene.message
+
+
 def test_without_tracks_there_is_nothing_to_score(document):
     presenter = ScoringPresenter(Document(document.recording))
     assert presenter.current_subject() is None
@@ -281,3 +294,41 @@ def test_how_sure_a_tracker_was_makes_no_row_of_a_table_a_dont_care(presenter, t
         presenter.choose_file(path)
         assert int(score_now(presenter).truth.table.counted.sum()) == rows_of_truth
         assert int(true_table(truth_at(path)).counted.sum()) == rows_of_truth
+
+
+def compare_runs(document, run, base):
+    session = document.session
+    comparison = Comparison(session, run, base, fps=25.0, colour_of=document.colour_of)
+    document.comparison = comparison
+    return comparison
+
+
+def test_of_two_compared_runs_the_one_that_is_scored_has_the_errors(presenter, document, tiny_run):
+    document.session.add_run(tiny_run)
+    compare_runs(document, 1, None)
+    assert presenter.scored_version.version is ErrorsOf.SOLID
+    presenter.choice.track_source = 1
+    scored = presenter.scored_version
+    assert scored.version is ErrorsOf.DASHED
+    assert "Run 1" in scored.name
+    frame = int(tiny_run.tracks["frame"][0])
+    rows = scored.rows(document.corrected_state(frame))
+    assert (
+        rows["track"].tolist()
+        == tiny_run.tracks["track"][tiny_run.tracks["frame"] == frame].tolist()
+    )
+
+
+def test_errors_of_neither_of_two_compared_runs_are_not_drawn_and_it_is_said(
+    presenter, document, tiny_run
+):
+    score_now(presenter)
+    document.session.add_run(tiny_run)
+    compare_runs(document, 1, 0)
+    scored = presenter.scored_version
+    frame = int(presenter.scored.errors.frame[0])
+    state = document.corrected_state(frame)
+    picture = presenter.people.picture(Side.LEFT, state, scored)
+    assert not picture.alarms
+    assert all(one.wrong is None for one in picture.people)
+    assert any("Corrected tracks" in entry.text for entry in picture.legend)
