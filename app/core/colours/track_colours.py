@@ -55,16 +55,11 @@ class TrackColours:
         self._seen: dict[int, int] = {}
 
     @classmethod
-    def of_session(
-        cls, table: TrackTable, run: Run | None, seen: TrackColours | None = None
-    ) -> TrackColours:
-        """Colours of a session: of the run's tracks first, which are the same at each opening.
-
-        seen: see `of_run`.
-        """
+    def at_first(cls, run: Run | None, seen: TrackColours | None = None) -> TrackColours:
+        """Colours of a session before any edit: of its run's tracks; seen: see `of_run`."""
         if run is not None:
-            return cls.of_run(run, seen).and_of(table)
-        return (cls() if seen is None else seen).and_of(table)
+            return cls.of_run(run, seen)
+        return cls() if seen is None else seen.copy()
 
     @classmethod
     def of_run(cls, run: Run, seen: TrackColours | None = None) -> TrackColours:

@@ -75,7 +75,7 @@ class SessionColours:
             self.now, first = kept, partial(kept.copy)
         else:
             self.now = self.now if seen is None else seen.copy()
-            first = partial(_at_first, run, seen)
+            first = partial(TrackColours.at_first, run, seen)
         make = partial(_as_given, first, session.history.touched_rows, table)
         all_kept = all(map(kept.has, table.track_ids))
         if all_kept or _is_quick(table, run, _WHILE_OPENING if opening else 1):
@@ -130,13 +130,6 @@ class SessionColours:
         """They could not be made: tracks without colours of their own have the usual ones."""
         if due is self.due:
             self.due = None
-
-
-def _at_first(run: Run | None, seen: TrackColours | None) -> TrackColours:
-    """Colours before any edit; seen: see `TrackColours.of_run`."""
-    if run is not None:
-        return TrackColours.of_run(run, seen)
-    return TrackColours() if seen is None else seen.copy()
 
 
 def _as_given(

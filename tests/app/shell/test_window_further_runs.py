@@ -254,16 +254,16 @@ def test_a_colour_stays_as_runs_end_and_are_dropped(controller, tiny_run):
 def long(controller, monkeypatch) -> RecordingController:
     """The controller with every session counted as long, and other colours for everybody."""
     monkeypatch.setattr(session_colours, "_QUICK_ROWS", 0)
-    of_session = TrackColours.of_session
+    at_first = TrackColours.at_first
     controller.made_in = []
 
-    def shifted(table, run, seen=None):
+    def shifted(run, seen=None):
         controller.made_in.append(threading.current_thread())
-        colours = of_session(table, run, seen)
+        colours = at_first(run, seen)
         colours._place = {one: (place + 5) % 20 for one, place in colours._place.items()}
         return colours
 
-    monkeypatch.setattr(TrackColours, "of_session", shifted)
+    monkeypatch.setattr(TrackColours, "at_first", shifted)
     return controller
 
 
@@ -295,7 +295,7 @@ def test_colours_that_cannot_be_made_are_told_and_not_due_for_ever(
     def fail(*_):
         raise MemoryError
 
-    monkeypatch.setattr(TrackColours, "of_session", fail)
+    monkeypatch.setattr(TrackColours, "at_first", fail)
     long.document.begin_live()
     with qtbot.waitSignal(long.failed):
         long.live.finished.emit(tiny_run)
@@ -313,7 +313,7 @@ def test_closing_a_recording_does_not_wait_for_its_colours(
         made.set()
         return TrackColours()
 
-    monkeypatch.setattr(TrackColours, "of_session", slow)
+    monkeypatch.setattr(TrackColours, "at_first", slow)
     long.document.begin_live()
     long.live.finished.emit(tiny_run)
     qtbot.waitUntil(begun.is_set)

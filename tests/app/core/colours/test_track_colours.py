@@ -31,7 +31,7 @@ def rows_of(stays, place=lambda track: (track * 1.5, 4.0)):
 
 
 def colours_of(stays, **where):
-    return TrackColours.of_session(TrackTable(rows_of(stays, **where)), None)
+    return TrackColours().and_of(TrackTable(rows_of(stays, **where)))
 
 
 def test_an_id_has_the_same_colour_alone_and_among_others():
