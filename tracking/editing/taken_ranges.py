@@ -42,7 +42,8 @@ def plan_take_range(
         where=scope_text(start, end),
         source=" ".join(source.split()),
     )
-    return Change("take", text, start, State(rows=before), State(rows=after), Scope(start, end))
+    scope = Scope(start, end)
+    return Change("take_theirs", text, start, State(rows=before), State(rows=after), scope)
 
 
 def _compared(

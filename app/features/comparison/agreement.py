@@ -13,12 +13,13 @@ from app.core.i18n import span_text, tr
 from app.core.projection.other_people import OtherPeople
 from app.features.comparison.scene import AgreementScene, DisagreementRow
 from tracking.editing import Change, plan_take_range
+from tracking.editing.tracking_again.counterparts import Places, counterparts
 from tracking.errors import SessionError
 from tracking.progress import Progress
 from tracking.recording import Recording
 from tracking.scoring import Agreement, Disagreement, ScoringTable, agreement, stretch_gap
 from tracking.session import Session
-from tracking.tracks import TrackTable, next_track
+from tracking.tracks import Columns, TrackTable, next_track
 
 _STEPS = 4
 
@@ -115,19 +116,24 @@ class AgreementPresenter:
     def plan_theirs(self, number: int, table: TrackTable) -> Change:
         """The edit that takes the other person's word in one of the disagreements.
 
-        In its range whoever they see there stands as they have them, under the open session's id
-        or a new one, and whoever was seen there in the open session does not.
+        In its range both people it is about stand as they have them, under the open session's ids
+        or a new one; whom they see nowhere there stands nowhere, and so does whom they see where
+        the open session has somebody else, who stays.
 
         Raises EditError where nothing would change.
         """
         one = self.other.agreement.disagreements[number]
         own = self._own_of.get(one.track_b, next_track(table)) if one.track_b else 0
-        asked = {one.track_a: 0, own: one.track_b}
-        taken = {
-            track: self.other.tracks.of_track(b, one.start, one.end)
-            for track, b in asked.items()
-            if track
-        }
+        same = dict(self.other.agreement.same)
+        asked = {one.track_a: same.get(one.track_a, 0), own: one.track_b}
+        others = [track for track in table.track_ids if track not in asked]
+        there = Places.of(table.of_tracks(others, one.start, one.end))
+        taken: dict[int, Columns] = {}
+        for track, b in asked.items():
+            rows = self.other.tracks.of_track(b, one.start, one.end)
+            free = counterparts(Places.of(rows), there) < 0
+            taken[track] = {name: column[free] for name, column in rows.items()}
+        taken.pop(0, None)
         return plan_take_range(table, taken, one.start, one.end, self.other.name)
 
     def _colour(self, track: int) -> tuple[int, int, int]:

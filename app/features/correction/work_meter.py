@@ -17,7 +17,8 @@ PAUSE_S: Final = 60.0
 """A longer time without an edit is a break, and counts as so much work."""
 _LEAST_S: Final = 30.0
 """No speed is stated for less time than this."""
-_IMPORT = "import"
+_MADE_ELSEWHERE = ("import", "take_theirs")
+"""Kinds of edits that bring boxes of others."""
 
 
 class WorkMeter(DocumentListener):
@@ -46,7 +47,7 @@ class WorkMeter(DocumentListener):
     ) -> None:
         """Count an edit."""
         now = self._seconds()
-        if change.kind == _IMPORT:  # made elsewhere, in a time nobody measured
+        if change.kind in _MADE_ELSEWHERE:  # made elsewhere, in a time nobody measured
             self._last_s = now
             return
         self.worked_s += min(now - self._last_s, PAUSE_S)
@@ -86,7 +87,7 @@ class WorkMeter(DocumentListener):
 
 
 def _in_force(history: History) -> int:
-    return sum(entry.kind != _IMPORT for entry in history.in_force)
+    return sum(entry.kind not in _MADE_ELSEWHERE for entry in history.in_force)
 
 
 def _state_of(history: History) -> tuple[object, ...]:
