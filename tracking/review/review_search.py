@@ -109,7 +109,7 @@ class ReviewItemFinder:
         if run is None:
             self._first, self._begun = table, (asked, ())
         elif run is not self._run or self._begun is None or self._begun[0] != asked:
-            self._first = TrackTable(run.tracks)
+            self._first, self._begun = TrackTable(run.tracks), None  # the search may be cancelled
             begun = self.find(
                 *(self._first, run, fps, labels, view, _part_of(tell, 0)),
                 size=size,

@@ -30,7 +30,8 @@ def is_clip(path: Path) -> bool:
     if path.suffix.lower() != ".mp4" or not path.is_file():
         return False
     try:
-        with av.open(str(path)) as container:
+        # Only plain files, as `open_video` has it.
+        with av.open(f"file:{path}", options={"protocol_whitelist": "file"}) as container:
             return container.metadata.get("comment") == CLIP_COMMENT
     except (av.error.FFmpegError, OSError, ValueError):
         return False

@@ -20,6 +20,8 @@ _MOST_SHARE = 0.96
 """Of the places, along each axis, so many say where most people are."""
 _BEYOND, _BEYOND_M = 0.5, 2.0
 """So far beyond those, of their span and at least, others count still."""
+_QUANTILE_ROWS = 100_000
+"""Of more places only some are looked at, evenly, to say where most are."""
 
 
 def reach_m(recording: Recording) -> float:
@@ -40,13 +42,23 @@ def extent(rows: Columns, reach: float) -> Bounds | None:
     if not len(xy):
         return None
     share = (1.0 - _MOST_SHARE) / 2
-    first, last = np.quantile(xy, (share, 1.0 - share), axis=0)
+    some = xy[:: max(1, len(xy) // _QUANTILE_ROWS)]
+    first, last = np.quantile(some, (share, 1.0 - share), axis=0)
     beyond = np.maximum(_BEYOND * (last - first), _BEYOND_M)
     low, high = (
         np.maximum(xy.min(axis=0), first - beyond),
         np.minimum(xy.max(axis=0), last + beyond),
     )
     return _whole_metres(low, high)
+
+
+def not_far_beyond(rows: Columns, bounds: Bounds) -> Columns:
+    """Those of some places of rows with `x` and `y` that bounds may grow by: see `extent`."""
+    low, high = np.array(bounds[:2]), np.array(bounds[2:])
+    beyond = np.maximum(_BEYOND * (high - low), _BEYOND_M)
+    xy = np.column_stack((rows["x"], rows["y"]))
+    inside = ((xy >= low - beyond) & (xy <= high + beyond)).all(axis=1)
+    return {name: rows[name][inside] for name in ("x", "y")}
 
 
 def full_extent(rows: Columns, reach: float) -> Bounds | None:

@@ -185,8 +185,7 @@ class _Row(QWidget):
             self._line.cancel()
 
     def _stop_and_keep(self) -> None:
-        for button in (self._keep, self._cancel):
-            button.setEnabled(False)
+        self._keep.setEnabled(False)  # Cancel stays, should stopping take long
         if self._line is not None and self._line.keep is not None:
             self._line.keep()
 

@@ -36,7 +36,8 @@ class WorkMeter(DocumentListener):
         self._seconds, self._last_s = seconds, seconds()
         self._history: History | None = None
         self._state: tuple[object, ...] = ()
-        self._edits = self._before = 0
+        self._before: frozenset[int] = frozenset()
+        self._edits = 0
 
     def take_change(
         self,
@@ -60,10 +61,10 @@ class WorkMeter(DocumentListener):
             return 0
         if history is not self._history:
             self._history, self._state = history, _state_of(history)
-            self._edits = self._before = _in_force(history)
+            self._before, self._edits = _in_force(history), 0
         elif (state := _state_of(history)) != self._state:
-            self._state, self._edits = state, _in_force(history)
-        return max(0, self._edits - self._before)
+            self._state, self._edits = state, len(_in_force(history) - self._before)
+        return self._edits
 
     def text(self, history: History | None) -> str:
         """In a line; "" before anything was done."""
@@ -86,8 +87,9 @@ class WorkMeter(DocumentListener):
         )
 
 
-def _in_force(history: History) -> int:
-    return sum(entry.kind not in _MADE_ELSEWHERE for entry in history.in_force)
+def _in_force(history: History) -> frozenset[int]:
+    entries = history.in_force
+    return frozenset(entry.id for entry in entries if entry.kind not in _MADE_ELSEWHERE)
 
 
 def _state_of(history: History) -> tuple[object, ...]:

@@ -8,7 +8,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from app.core.i18n import tr
-from app.core.projection.extent import MARGIN_M, Bounds, extent, full_extent, reach_m, unite
+from app.core.projection.extent import (
+    MARGIN_M,
+    Bounds,
+    extent,
+    full_extent,
+    not_far_beyond,
+    reach_m,
+    unite,
+)
 from app.core.projection.trails import TRAIL_S, floor_points, trails_by_track
 from app.core.scenes import FloorPerson, OverheadScene
 from app.core.tracks.frame_state import FrameState
@@ -54,7 +62,8 @@ class OverheadPresenter:
         """Reach to these places, too, as far as they lie where nobody was before."""
         every = unite(self._all, full_extent(rows, self._reach_m))
         if every != self._all:
-            self._bounds = unite(self._bounds, extent(rows, self._reach_m))
+            near = not_far_beyond(rows, self._bounds)  # as `take` will have it in the end
+            self._bounds = unite(self._bounds, full_extent(near, self._reach_m))
             self._all = every
 
     @property

@@ -167,7 +167,7 @@ def _state(row: ProjectRow) -> tuple[str, Mood]:
     if facts.hand_made:
         return (tr("Labelled by hand") if facts.rows else tr("Empty session")), Mood.PLAIN
     if not facts.items_left:
-        return tr("Reviewed"), Mood.GOOD
+        return tr("All decided"), Mood.GOOD
     if facts.decided or facts.edits:
         return tr("In review"), Mood.PLAIN
     return tr("Tracked"), Mood.PLAIN
@@ -272,8 +272,8 @@ def _tip(row: ProjectRow) -> Iterator[str]:
             words.append(joined_text(", ", facts.authors))
         yield "  \u00b7  ".join(filter(None, words))
         if facts.errors is not None:
-            items = facts.decided + facts.items_left
-            yield decided_text(facts.decided, items, facts.reviewed_rows)
+            if items := facts.decided + facts.items_left:
+                yield decided_text(facts.decided, items, facts.reviewed_rows)
             yield risk_text(facts.errors)
         if facts.mota is not None:
             yield tr("MOTA {mota:.3f}", mota=facts.mota)

@@ -151,11 +151,12 @@ class ReviewController(Controller):
 
     def _take(self) -> None:
         self._show()
-        if again := self.queue.reopened:
+        again, self.queue.reopened = self.queue.reopened, 0
+        if again:
             words = count_text(
                 again,
-                "{n} decided item is open again: the edit changed it",
-                "{n} decided items are open again: the edit changed them",
+                "{n} decided item is open again: it is found in another shape now",
+                "{n} decided items are open again: they are found in another shape now",
             )
             self.said.emit(words)
         self.changed.emit()
@@ -301,8 +302,8 @@ class ReviewController(Controller):
         self._playback.pause()
         self._select(current.tracks)
         self._playback.go(current.frame)
+        self._fixing = current  # before the edit, which may be done at once
         self.fix_asked.emit(edit_named(current.fix))
-        self._fixing = current
 
     def _follow_fix(self) -> None:
         """An edit that is left, or another one, is not the one that was begun here."""

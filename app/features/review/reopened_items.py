@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import defaultdict
 from collections.abc import Sequence
 
 from tracking.review import ReviewItem
@@ -18,8 +19,8 @@ def count_reopened(before: DecidedAndOpen, now: DecidedAndOpen, fps: float) -> i
     Args:
         before, now: the decided and the open items of two searches. fps: frames a second.
     """
-    gone = [one for one in before[0] if not _is_among(one, now[0], fps)]
-    new = [one for one in now[1] if not _is_among(one, before[1], fps)]
+    gone = _not_among(before[0], now[0], fps)
+    new = _not_among(now[1], before[1], fps) if gone else []
     count = 0
     for one in gone:
         place = next((at for at, other in enumerate(new) if _is_alike(other, one, fps)), None)
@@ -29,11 +30,17 @@ def count_reopened(before: DecidedAndOpen, now: DecidedAndOpen, fps: float) -> i
     return count
 
 
-def _is_among(item: ReviewItem, others: Sequence[ReviewItem], fps: float) -> bool:
-    return any(
-        (one.kind, one.tracks) == (item.kind, item.tracks) and _is_near(one, item, fps)
-        for one in others
-    )
+def _not_among(
+    items: Sequence[ReviewItem], others: Sequence[ReviewItem], fps: float
+) -> list[ReviewItem]:
+    by_who: defaultdict[tuple[str, tuple[int, ...]], list[ReviewItem]] = defaultdict(list)
+    for one in others:
+        by_who[one.kind, one.tracks].append(one)
+    return [
+        one
+        for one in items
+        if not any(_is_near(one, other, fps) for other in by_who.get((one.kind, one.tracks), ()))
+    ]
 
 
 def _is_alike(one: ReviewItem, other: ReviewItem, fps: float) -> bool:

@@ -38,7 +38,7 @@ class MeterWords:
         """In a line; "" before anything was done."""
         now = ReviewMeter.of(labels, minutes)
         decided = max(0, now.decided - self._before.decided)
-        corrected = max(0, self._corrections_now(history) - self._corrected_before)
+        corrected = self._corrections_now(history)
         sitting = ReviewMeter(minutes, decided, corrected)
         if not (decided or corrected):
             return ""
@@ -55,7 +55,8 @@ class MeterWords:
         undo, redo = history.next_undo, history.next_redo
         state = (len(history), undo.id if undo else 0, redo.id if redo else 0)
         if state != self._state:
-            self._state, self._corrected = state, _corrections(history)
+            now = _corrections(history)
+            self._state, self._corrected = state, len(now - self._corrected_before)
         return self._corrected
 
 
@@ -66,8 +67,8 @@ def _watched_text(minutes: float) -> str:
     return tr("{n:.1f} min watched", n=minutes)
 
 
-def _corrections(history: History) -> int:
-    return sum(is_correction(entry.kind) for entry in history.in_force)
+def _corrections(history: History) -> frozenset[int]:
+    return frozenset(entry.id for entry in history.in_force if is_correction(entry.kind))
 
 
 def is_correction(kind: str) -> bool:

@@ -143,7 +143,7 @@ def test_next_to_review_opens_the_recording_of_most_worth_or_says_why_not(window
     qtbot.waitUntil(page.isVisible)
     mark_reviewed(folder / "a.h5", "Bo", 0, FRAMES)
     project.look()
-    qtbot.waitUntil(lambda: _cell(window, "a", STATE) == "Reviewed" and not page.scene.next_row)
+    qtbot.waitUntil(lambda: _cell(window, "a", STATE) == "All decided" and not page.scene.next_row)
     assert not page.next.isEnabled()
     assert page.scene.next_text == "Nothing is left to review"
 

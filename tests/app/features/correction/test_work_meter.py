@@ -104,6 +104,19 @@ def test_edits_of_earlier_sittings_do_not_count(meter, log):
     assert later.edits(log) == 0
 
 
+def test_who_takes_back_earlier_edits_is_told_of_those_made_since(clock):
+    log = History()
+    for frame in range(4):
+        change = plan_draw_box(TrackTable(), None, frame, BOX)
+        log.add(log.draft(change, "2026-01-01T00:00:00.000", "ann"))
+    meter = WorkMeter(clock)
+    assert meter.edits(log) == 0
+    log.mark_undone()
+    log.mark_undone()
+    _take(meter, clock, plan_draw_box(TrackTable(), None, 9, BOX), 2, log)
+    assert meter.edits(log) == 1
+
+
 def test_imported_boxes_are_nobody_s_work(meter, clock, log):
     drawn = plan_draw_box(TrackTable(), None, 0, BOX)
     imported = replace(drawn, kind="import")

@@ -60,14 +60,14 @@ def test_the_stretch_holds_the_frame_that_is_shown(frames):
 @pytest.mark.parametrize("kind", ["label", "unlabel", "occluders", "lines", "regions", "rename"])
 def test_labels_are_no_corrections_of_tracks(kind):
     log = _log(kind, "swap")
-    assert _corrections(log) == 1
+    assert len(_corrections(log)) == 1
 
 
 def test_an_edit_taken_back_alone_is_no_correction_and_nor_is_taking_it_back():
     log = _log("split", "rename")
     change = log.entry(1).change
     log.add(log.draft(replace(change.inverse, kind="undo"), "2026-01-01", "ann", undoes=1))
-    assert _corrections(log) == 0
+    assert not _corrections(log)
 
 
 def _log(*kinds):
