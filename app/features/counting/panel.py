@@ -25,6 +25,8 @@ from app.features.counting.tally_list import TallyList
 from tracking.counting import CountSettings
 from tracking.settings import settings_fields
 
+_NUMBER_LETTERS = 12
+"""Of a field for a number, its arrows among them: the list beside them needs the room."""
 _MOST = {field.name: field.range[1] for field in settings_fields(CountSettings) if field.range}
 """The largest value of each setting."""
 
@@ -114,6 +116,7 @@ class CountingPanel(FeaturePanel):
         spin.setDecimals(2)
         spin.setSingleStep(0.05)
         spin.setSuffix(unit)
+        spin.setMaximumWidth(_NUMBER_LETTERS * self.fontMetrics().averageCharWidth())
         spin.setAccessibleName(name)
         spin.setToolTip(hint)
         spin.setKeyboardTracking(False)
