@@ -375,7 +375,7 @@ def test_the_oddities_of_the_test_recordings_are_told(shared_data: Path) -> None
     with open_recording(shared_data / "overhead-real") as recording:
         assert sum("letterboxed" in note for note in recording.notes) == 2
     with open_recording(shared_data / "pets-s2l1-real") as recording:
-        assert any("the recording 7" in note for note in recording.notes)
+        assert any("recording.toml says 7" in note for note in recording.notes)
         assert recording.truth_path == shared_data / "pets-s2l1-real" / "truth.txt"
     with open_recording(shared_data / "rendered-lobby") as recording:
         assert recording.notes == ()

@@ -35,6 +35,7 @@ class WorkMeter(DocumentListener):
         self.worked_s = 0.0
         self._seconds, self._last_s = seconds, seconds()
         self._history: History | None = None
+        self._was_none = False  # there was no session yet: all its edits are of this sitting
         self._state: tuple[object, ...] = ()
         self._before: frozenset[int] = frozenset()
         self._edits = 0
@@ -58,11 +59,13 @@ class WorkMeter(DocumentListener):
     def edits(self, history: History | None) -> int:
         """How many edits are in force that were not yet where this history was shown first."""
         if history is None:
+            self._was_none = True
             return 0
         if history is not self._history:
-            self._history, self._state = history, _state_of(history)
-            self._before, self._edits = _in_force(history), 0
-        elif (state := _state_of(history)) != self._state:
+            begun_here = self._was_none and self._history is None
+            self._history, self._state = history, ()
+            self._before = frozenset() if begun_here else _in_force(history)
+        if (state := _state_of(history)) != self._state:
             self._state, self._edits = state, len(_in_force(history) - self._before)
         return self._edits
 

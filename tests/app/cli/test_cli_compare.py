@@ -60,6 +60,7 @@ def test_a_swap_is_where_two_sessions_disagree(trackwright: Trackwright, session
     assert "frames 60 to" in out
 
 
+@pytest.mark.parametrize("match", ["box", "floor"])
 def test_boxes_alone_or_the_floor_alone_can_be_asked_for(
     trackwright: Trackwright, session, swapped, match
 ):

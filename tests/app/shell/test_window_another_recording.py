@@ -93,14 +93,14 @@ def test_what_is_laid_over_the_pictures_is_remembered(
     assert window.controller.view_options.trails
 
 
-def test_panels_that_were_open_are_not_opened_with_another_recording(
+def test_panels_that_were_open_are_open_with_another_recording_too(
     window, qtbot, controller, press, other_session
 ):
     press(Qt.Key.Key_C, Qt.KeyboardModifier.ShiftModifier)
     assert "counting" in controller.view_options.panels
     window.files.close_without_asking()
     _open(window, qtbot, other_session)
-    assert not window.controller.view_options.panels
+    assert window.controller.view_options.panels == {"counting"}
 
 
 @pytest.mark.parametrize("text", ["", "counts", "+nothing -", "-score \u2603 ++"])

@@ -104,6 +104,13 @@ def test_edits_of_earlier_sittings_do_not_count(meter, log):
     assert later.edits(log) == 0
 
 
+def test_the_edit_that_begins_a_session_counts(meter, clock):
+    assert meter.edits(None) == 0  # there is no session yet
+    log = History()
+    _take(meter, clock, plan_draw_box(TrackTable(), None, 0, BOX), 2, log)
+    assert meter.edits(log) == 1
+
+
 def test_who_takes_back_earlier_edits_is_told_of_those_made_since(clock):
     log = History()
     for frame in range(4):
