@@ -72,7 +72,7 @@ def _print_items(shown: Iterable[ReviewItem]) -> None:
 
 
 def _found(session: Session, hand_made: bool, told: Progress) -> ReviewFinding:
-    return ReviewItemFinder().find_with_begun(
+    return ReviewItemFinder().find(
         session.tracks,
         session.corrected_run,
         session.recording.fps,

@@ -38,7 +38,7 @@ RUN = long_run()
 
 
 def look(lookout: ReviewItemFinder, table: TrackTable, **more: object) -> tuple[object, ...]:
-    return lookout.find(table.snapshot(), RUN, FPS, size=SIZE, **more)
+    return lookout.find(table.snapshot(), RUN, FPS, size=SIZE, with_begun=False, **more).items
 
 
 def whole(table: TrackTable, **more: object) -> tuple[object, ...]:
@@ -122,7 +122,7 @@ def test_other_labels_another_run_and_a_cancelled_search_are_told_apart() -> Non
     assert look(lookout, table) == whole(table)
     assert look(lookout, table, labels=hides) == whole(table, labels=hides)
     assert whole(table, labels=hides) != whole(table)
-    assert lookout.find(table, None, FPS) == find_review_items(table, None, FPS)
+    assert lookout.find(table, None, FPS).items == find_review_items(table, None, FPS)
 
 
 @pytest.mark.usefixtures("in_blocks")

@@ -101,7 +101,7 @@ def test_a_swap_that_is_put_right_by_hand_lets_expect_fewer_errors(run: Run) -> 
     table, finder = TrackTable(tracked.tracks), ReviewItemFinder()
 
     def expected() -> float:
-        finding = finder.find_with_begun(table, tracked, FPS, size=SIZE)
+        finding = finder.find(table, tracked, FPS, size=SIZE)
         return review_state(finding, Labels(), table, FPS).errors.mean
 
     before = expected()
@@ -159,3 +159,19 @@ def test_decisions_say_how_many_times_as_many_errors_there_are() -> None:
     assert learned_rate(DecidedItems()) == 1.0
     assert learned_rate(DecidedItems(0.1, 1)) > 1.25
     assert learned_rate(DecidedItems(5.0, 0)) < 0.8
+
+
+def test_after_a_search_that_was_cancelled_nothing_of_another_run_is_left(run: Run) -> None:
+    other = made_run([Walk(straight((-3, 5), (1, 0), 100)), Walk(straight((-3, 9), (1, 0), 60))])
+    finder = ReviewItemFinder()
+    finder.find(TrackTable(run.tracks), run, FPS, size=SIZE)
+
+    def cancel(*_: int) -> None:
+        raise KeyboardInterrupt
+
+    table = TrackTable(other.tracks)
+    with pytest.raises(KeyboardInterrupt):
+        finder.find(table, other, FPS, progress=cancel, size=SIZE)
+    found = finder.find(table, other, FPS, size=SIZE)
+    assert found == ReviewItemFinder().find(table, other, FPS, size=SIZE)
+    assert found.begun != finder.find(TrackTable(run.tracks), run, FPS, size=SIZE).begun

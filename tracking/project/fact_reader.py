@@ -105,7 +105,7 @@ def _authors(names: Sequence[str]) -> tuple[str, ...]:
 def _with_review(facts: SessionFacts, session: Session) -> SessionFacts:
     """The facts with what is left to review."""
     table, labels, fps = session.tracks, session.labels, session.recording.fps
-    finding = ReviewItemFinder().find_with_begun(
+    finding = ReviewItemFinder().find(
         table, session.corrected_run, fps, labels, size=session.recording.size
     )
     state = review_state(finding, labels, table, fps)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 
@@ -16,12 +17,10 @@ from tracking.review.footage import Footage
 from tracking.review.queue import rank
 from tracking.review.review_item import ReviewItem, ReviewItemKey
 from tracking.review.seams import corrected_items
-from tracking.tracks import Labels, Run, TrackTable, row_keys
+from tracking.tracks import Labels, Occluder, Run, TrackTable, row_keys
 
 MOST = 10_000
 """Of more than these, more than anybody ever looks through, those worth most are kept."""
-
-
 _OWN_S = 1.0
 """A meeting this soon belongs to the same review item."""
 
@@ -54,9 +53,9 @@ def find_review_items(
         size: of the picture in px, where there is no view.
         hand_made: flag also what shows nothing but boxes that a person made.
     """
-    return ReviewItemFinder().find(
-        table, run, fps, labels, view, progress, size=size, hand_made=hand_made
-    )
+    asked = table, run, fps, labels, view, progress
+    finder = ReviewItemFinder()
+    return finder.find(*asked, size=size, hand_made=hand_made, with_begun=False).items
 
 
 @dataclass(frozen=True, slots=True)
@@ -64,13 +63,23 @@ class ReviewFinding:
     """What was found in tracks, and what it is held against.
 
     Attributes:
-        items: of the tracks as they are now. begun: of the tracks as their run left them.
+        items: of the tracks as they are now.
+        begun: of the tracks as their run left them, where these were asked for.
         corrected: the items where an edit has joined, parted or exchanged their tracks.
     """
 
     items: tuple[ReviewItem, ...] = ()
     begun: tuple[ReviewItem, ...] = ()
     corrected: frozenset[ReviewItemKey] = frozenset()
+
+
+class _Asked(NamedTuple):
+    """What a search depends on beside the tracks: see `find_review_items`."""
+
+    fps: float
+    extent: tuple[int, int] | None
+    occluders: tuple[Occluder, ...]
+    hand_made: bool
 
 
 class ReviewItemFinder:
@@ -84,41 +93,7 @@ class ReviewItemFinder:
     def __init__(self) -> None:
         self._run: Run | None = None
         self._known: dict[tuple[object, ...], Block] = {}
-        self._begun: tuple[object, tuple[ReviewItem, ...]] | None = None
-        self._first = TrackTable()
-
-    def find_with_begun(
-        self,
-        table: TrackTable,
-        run: Run | None,
-        fps: float,
-        labels: Labels | None = None,
-        view: View | None = None,
-        progress: Progress | None = None,
-        *,
-        size: tuple[int, int] | None = None,
-        hand_made: bool = False,
-    ) -> ReviewFinding:
-        """The items of the tracks, and those of the tracks as they began: as the run found them.
-
-        The latter are looked for once. Args: see `find_review_items`.
-        """
-        extent = view.camera.size if view else size
-        asked = fps, extent, labels.occluders if labels else (), hand_made
-        tell = progress or _untold
-        if run is None:
-            self._first, self._begun = table, (asked, ())
-        elif run is not self._run or self._begun is None or self._begun[0] != asked:
-            self._first, self._begun = TrackTable(run.tracks), None  # the search may be cancelled
-            begun = self.find(
-                *(self._first, run, fps, labels, view, _part_of(tell, 0)),
-                size=size,
-                hand_made=hand_made,
-            )
-            self._begun = asked, begun
-            tell = _part_of(tell, 1)
-        found = self.find(table, run, fps, labels, view, tell, size=size, hand_made=hand_made)
-        return ReviewFinding(found, self._begun[1], corrected_items(found, self._first, table))
+        self._begun: tuple[_Asked, TrackTable, tuple[ReviewItem, ...]] | None = None
 
     def find(
         self,
@@ -131,24 +106,38 @@ class ReviewItemFinder:
         *,
         size: tuple[int, int] | None = None,
         hand_made: bool = False,
-    ) -> tuple[ReviewItem, ...]:
-        """See `find_review_items`. Work done before progress raised is kept for next time."""
+        with_begun: bool = True,
+    ) -> ReviewFinding:
+        """See `find_review_items`. Work done before progress raised is kept for next time.
+
+        with_begun: look through the tracks as the run found them, too; once, as they stay.
+        """
+        extent = view.camera.size if view else size
+        asked = _Asked(fps, extent, labels.occluders if labels else (), hand_made)
         tell = progress or _untold
         if run is not self._run:
-            self._run, self._known = run, {}
+            self._run, self._known, self._begun = run, {}, None
+        if run is None or not with_begun:
+            return ReviewFinding(self._items(table, asked, tell))
+        if self._begun is None or self._begun[0] != asked:
+            first = TrackTable(run.tracks)
+            self._begun = asked, first, self._items(first, asked, _part_of(tell, 0))
+            tell = _part_of(tell, 1)
+        _, first, begun = self._begun
+        found = self._items(table, asked, tell)
+        return ReviewFinding(found, begun, corrected_items(found, first, table))
+
+    def _items(self, table: TrackTable, asked: _Asked, tell: Progress) -> tuple[ReviewItem, ...]:
         footage = Footage.of(table)
         if not len(footage.key):
             tell(1, 1)
             return ()
-        occluders = labels.occluders if labels else ()
-        extent = view.camera.size if view else size
-        scene = Scene.of(footage, run, fps, extent, occluders, hand_made=hand_made)
-        blocks = self._blocks(footage, run, scene, tell)
+        fps, extent, occluders, hand_made = asked
+        scene = Scene.of(footage, self._run, fps, extent, occluders, hand_made=hand_made)
+        blocks = self._blocks(footage, scene, tell)
         return rank(_worth_most(blocks, footage, fps), "worth")
 
-    def _blocks(
-        self, footage: Footage, run: Run | None, scene: Scene, tell: Progress
-    ) -> list[Block]:
+    def _blocks(self, footage: Footage, scene: Scene, tell: Progress) -> list[Block]:
         length = footage.length(scene.stop, scene.fps)
         starts = range(0, scene.stop, length)
         now: dict[tuple[object, ...], Block] = {}
@@ -158,7 +147,7 @@ class ReviewItemFinder:
             rows = footage.around(start, end, scene.around)
             known = (start, end, scene, footage.fingerprint(rows))
             now[known] = self._known.get(known) or search_block(
-                footage, rows, run, scene, start, end
+                footage, rows, self._run, scene, start, end
             )
             self._known[known] = now[known]
         self._known = now

@@ -64,7 +64,7 @@ def review_state(
     long as they are left, too. They stay in the list, as an edit may be wrong.
 
     Args:
-        finding: see `ReviewItemFinder.find_with_begun`. The items of the tracks as they began tell
+        finding: see `ReviewItemFinder.find`. The items of the tracks as they began tell
             what was stated of decided items which are not found any more.
         labels: with verdicts and reviewed ranges. table: the tracks. fps: frames a second.
     """

@@ -114,7 +114,7 @@ class ReviewSearch(QObject):
 
         def find(progress: Progress) -> object:
             view, size = recording.view, recording.size
-            return lookout.find_with_begun(
+            return lookout.find(
                 table, run, recording.fps, labels, view, progress, size=size, hand_made=hand_made
             )
 

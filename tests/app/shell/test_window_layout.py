@@ -12,12 +12,13 @@ from app.features.scoring.controller import ScoreController
 from app.features.scoring.panel import ScorePanel
 from app.features.timeline.rows import Arrangement, LaneHeight, LaneOrder
 from app.shell.main_window import MainWindow
+from tracking.review import ReviewFinding
 
 
 @pytest.fixture
 def window_on_a_laptop(window, qtbot, tiny_session, monkeypatch):
     """Nothing is flagged: what is found, and when, would share the room in other ways."""
-    monkeypatch.setattr(review_search.ReviewItemFinder, "find", lambda *_, **__: ())
+    monkeypatch.setattr(review_search.ReviewItemFinder, "find", lambda *_, **__: ReviewFinding())
     window.resize(1440, 900)
     window.files.open_path(tiny_session)
     qtbot.waitUntil(
