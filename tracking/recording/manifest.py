@@ -2,12 +2,9 @@
 
 from __future__ import annotations
 
-import tomllib
-from collections.abc import Mapping
 from dataclasses import dataclass, replace
-from difflib import get_close_matches
 from pathlib import Path, PurePath
-from typing import Any, TypeVar
+from typing import TypeVar
 
 import numpy as np
 
@@ -16,8 +13,9 @@ from tracking.geometry import Ground, ground_of_pose
 from tracking.recording.depth_pictures import USUAL_SCALE_M, checked_scale
 from tracking.recording.image_pairs import LAYOUTS, MOST_LAG, Layout, Side
 from tracking.recording.limits import checked_fps, checked_ground
+from tracking.recording.manifest_table import ManifestTable, read_toml, unknown_keys
 from tracking.recording.region_of_interest import EVERYWHERE, Outline, RegionOfInterest, outlines_of
-from tracking.translation import Message, joined, msg
+from tracking.translation import joined, msg
 
 MANIFEST_NAME = "recording.toml"
 TRUTH_NAME = "truth.txt"
@@ -25,26 +23,10 @@ TRUTH_NAME = "truth.txt"
 FORMAT = 1
 _T = TypeVar("_T", bound=str)
 _MAX_BYTES = 64 * 1024
-_LARGEST_WHOLE = 10**15
 _LONGEST_NAME_BYTES, _LONGEST_PATH_BYTES = 255, 2048
 """Of one file or folder, as common file systems have it; of a path in a recording's folder, which
 leaves as much of the 4096 that Linux takes to the folder itself."""
 _SIDES: tuple[Side, ...] = ("left", "right")
-_KNOWN: Mapping[str, frozenset[str]] = {
-    "": frozenset(
-        (
-            *("format", "name", "fps", "left", "right", "stereo", "depth"),
-            *("calibration", "ground", "region"),
-        )
-    ),
-    "left": frozenset(("source", "topic")),
-    "right": frozenset(("source", "topic", "lag")),
-    "depth": frozenset(("source", "topic", "scale")),
-    "stereo": frozenset(("source", "layout", "first", "lag")),
-    "calibration": frozenset(("file",)),
-    "ground": frozenset(("height", "tilt", "roll", "R", "t")),
-    "region": frozenset(("look", "mask")),
-}
 
 
 @dataclass(frozen=True, slots=True)
@@ -116,7 +98,7 @@ def manifest_text(folder: Path) -> str:
 
 def names_sources(text: str, where: str) -> bool:
     """Whether a manifest says what the recording is made of; RecordingError: it is no TOML."""
-    content = _content(text, where)
+    content = read_toml(text, where)
     return "left" in content or "stereo" in content
 
 
@@ -131,8 +113,8 @@ def parse_manifest(
         fallback_name: the name where it gives none.
         found: what its folder was found to hold, for a text that names no sources.
     """
-    content = _content(text, where)
-    table = _Table(content, where)
+    content = read_toml(text, where)
+    table = ManifestTable(content, where)
     if table.get("format", int, FORMAT) != FORMAT:
         raise RecordingError(
             "{where}: format {said} is not known, only {known}; update trackwright",
@@ -151,7 +133,7 @@ def parse_manifest(
             calibration=_calibration(table) or found.calibration,
             ground=_ground(table),
             region=_region(table),
-            unknown=_unknown(content),
+            unknown=unknown_keys(content),
         )
     left, right, layout, first = _sources(table)
     return Manifest(
@@ -168,7 +150,7 @@ def parse_manifest(
         calibration=_calibration(table),
         ground=_ground(table),
         region=_region(table),
-        unknown=_unknown(content),
+        unknown=unknown_keys(content),
     )
 
 
@@ -181,67 +163,10 @@ def parse_ground(text: str, where: str) -> Ground | None:
     Raises:
         RecordingError: it is no TOML, or says a floor that cannot be.
     """
-    return _ground(_Table(_content(text, where), where))
+    return _ground(ManifestTable(read_toml(text, where), where))
 
 
-def _content(text: str, where: str) -> dict[str, Any]:
-    try:
-        return tomllib.loads(text)
-    except (tomllib.TOMLDecodeError, RecursionError, ValueError) as error:
-        raise RecordingError(
-            "{where}: not readable as TOML ({error}); correct it there", where=where, error=error
-        ) from error
-
-
-class _Table:
-    """A TOML table whose values are asked for by type."""
-
-    def __init__(self, values: Mapping[str, Any], where: str, section: str = "") -> None:
-        self._values, self._where, self._section = values, where, section
-
-    def __contains__(self, key: str) -> bool:
-        return key in self._values
-
-    def section(self, key: str) -> _Table:
-        """A table below this one."""
-        return _Table(self.get(key, dict, {}), self._where, key)
-
-    def get(self, key: str, kind: type, default: Any) -> Any:
-        """A value of the kind; `float` takes whole numbers as well."""
-        value = self._values.get(key, default)
-        if kind is float and type(value) is int and abs(value) < _LARGEST_WHOLE:
-            value = float(value)
-        if key in self._values and (type(value) is not kind):
-            raise self.error(key, msg("must be {kind}", kind=_KIND_NAMES[kind]))
-        return value
-
-    def error(self, key: str, problem: str) -> RecordingError:
-        """What is wrong with a key."""
-        return RecordingError("{place} {problem}", place=self.place(key), problem=problem)
-
-    def missing(self, key: str, advice: Message) -> RecordingError:
-        """A key is not there: what to do, or which key of this table may be meant for it."""
-        unknown = [one for one in self._values if one not in _KNOWN.get(self._section, ())]
-        near = get_close_matches(key, unknown, 1)
-        if near:
-            advice = msg("is missing; {near!r} stands there: correct its spelling", near=near[0])
-        return self.error(key, advice)
-
-    def place(self, key: str) -> str:
-        """Where a key stands, for messages."""
-        return f"{self._where}: " + (f"[{self._section}] {key}" if self._section else key)
-
-
-_KIND_NAMES: Mapping[type, str] = {
-    int: msg("a whole number"),
-    float: "a number",
-    str: "a text",
-    dict: "a table",
-    list: "a list",
-}
-
-
-def _sources(table: _Table) -> tuple[str, str | None, Layout | None, Side]:
+def _sources(table: ManifestTable) -> tuple[str, str | None, Layout | None, Side]:
     if "stereo" in table:
         if "left" in table or "right" in table:
             raise table.error("stereo", msg("stands beside [left] or [right]; keep one of the two"))
@@ -256,7 +181,7 @@ def _sources(table: _Table) -> tuple[str, str | None, Layout | None, Side]:
     return _source(table.section("left")), right, None, "left"
 
 
-def _depth(table: _Table) -> str | None:
+def _depth(table: ManifestTable) -> str | None:
     if "depth" not in table:
         return None
     if "right" in table or "stereo" in table:
@@ -266,12 +191,12 @@ def _depth(table: _Table) -> str | None:
     return _source(table.section("depth"))
 
 
-def _depth_scale(table: _Table, usual_m: float = USUAL_SCALE_M) -> float:
+def _depth_scale(table: ManifestTable, usual_m: float = USUAL_SCALE_M) -> float:
     section = table.section("depth")
     return checked_scale(section.get("scale", float, usual_m), section.place("scale"))
 
 
-def _check_without_left(table: _Table, found: Manifest) -> None:
+def _check_without_left(table: ManifestTable, found: Manifest) -> None:
     """Refuse what a text that names no [left] says of other sources than those found."""
     right, depth = table.section("right"), table.section("depth")
     for section in (right, depth):
@@ -286,14 +211,14 @@ def _check_without_left(table: _Table, found: Manifest) -> None:
         raise depth.error("scale", msg("is of depth images, and none were found; leave it out"))
 
 
-def _topics(table: _Table) -> tuple[str, str, str]:
+def _topics(table: ManifestTable) -> tuple[str, str, str]:
     left, right, depth = (
         table.section(side).get("topic", str, "") for side in ("left", "right", "depth")
     )
     return left, right, depth
 
 
-def _source(table: _Table) -> str:
+def _source(table: ManifestTable) -> str:
     source: str = table.get("source", str, "")
     if not source:
         raise table.missing("source", msg("is missing; name a video, or images such as left/*.png"))
@@ -312,7 +237,7 @@ def _is_too_long(name: str) -> bool:
     return longest > _LONGEST_NAME_BYTES or len(name.encode()) > _LONGEST_PATH_BYTES
 
 
-def _choice(table: _Table, key: str, choices: tuple[_T, ...], default: _T) -> _T:
+def _choice(table: ManifestTable, key: str, choices: tuple[_T, ...], default: _T) -> _T:
     value = table.get(key, str, default)
     for choice in choices:
         if choice == value:
@@ -320,7 +245,7 @@ def _choice(table: _Table, key: str, choices: tuple[_T, ...], default: _T) -> _T
     raise table.error(key, msg("must be one of {choices}", choices=joined(", ", choices)))
 
 
-def _right_lag(table: _Table) -> int | None:
+def _right_lag(table: ManifestTable) -> int | None:
     side = table.section("stereo" if "stereo" in table else "right")
     lag: int | None = side.get("lag", int, None)
     if lag is not None and abs(lag) > MOST_LAG:
@@ -328,12 +253,12 @@ def _right_lag(table: _Table) -> int | None:
     return lag
 
 
-def _fps(table: _Table) -> float | None:
+def _fps(table: ManifestTable) -> float | None:
     fps: float | None = table.get("fps", float, None)
     return None if fps is None else checked_fps(fps, table.place("fps"))
 
 
-def _calibration(table: _Table) -> tuple[str, ...]:
+def _calibration(table: ManifestTable) -> tuple[str, ...]:
     if "calibration" not in table:
         return ()
     section = table.section("calibration")
@@ -350,7 +275,7 @@ def _is_file_name(value: object) -> bool:
     return isinstance(value, str) and value != "" and "\0" not in value and not _is_too_long(value)
 
 
-def _ground(table: _Table) -> Ground | None:
+def _ground(table: ManifestTable) -> Ground | None:
     if "ground" not in table:
         return None
     section = table.section("ground")
@@ -371,7 +296,7 @@ def _ground(table: _Table) -> Ground | None:
         ) from error
 
 
-def _ground_of_pose(section: _Table) -> Ground:
+def _ground_of_pose(section: ManifestTable) -> Ground:
     """The floor of a camera's pose: x_camera = R x_world + t, world z up, in metres."""
     try:
         rotation = np.array(section.get("R", list, []), float)
@@ -387,21 +312,13 @@ def _ground_of_pose(section: _Table) -> Ground:
         raise section.error("R", msg("and t make no floor: {error}", error=error)) from error
 
 
-def _region(table: _Table) -> RegionOfInterest:
+def _region(table: ManifestTable) -> RegionOfInterest:
     section = table.section("region")
     return RegionOfInterest(_outlines(section, "look"), _outlines(section, "mask"))
 
 
-def _outlines(section: _Table, key: str) -> tuple[Outline, ...]:
+def _outlines(section: ManifestTable, key: str) -> tuple[Outline, ...]:
     outlines = outlines_of(section.get(key, list, []))
     if isinstance(outlines, tuple):
         return outlines
     raise section.error(key, outlines)
-
-
-def _unknown(content: Mapping[str, Any]) -> tuple[str, ...]:
-    unknown = [key for key in content if key not in _KNOWN[""]]
-    for section, values in content.items():
-        if section in _KNOWN and isinstance(values, dict):
-            unknown += [f"{section}.{key}" for key in values if key not in _KNOWN[section]]
-    return tuple(unknown)

@@ -6,6 +6,7 @@ from tracking.session.body_parts import corrected_parts, place_labels, session_s
 from tracking.session.document import Session
 from tracking.session.edit_log import log_as_json, write_log_csv, write_log_json
 from tracking.session.errors import RecordingMissing
+from tracking.session.imported_session import session_of_import, take_into
 from tracking.session.info import describe, recording_of
 from tracking.session.known_recordings import KnownRecordings
 from tracking.session.pending_edits import last_worked_on_s, read_history
@@ -23,7 +24,5 @@ from tracking.session.track_import import (
     ImportWish,
     describe_footage,
     fit_to_recording,
-    session_of_import,
-    take_into,
 )
 from tracking.stamps import resolve_author

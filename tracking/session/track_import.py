@@ -1,4 +1,4 @@
-"""Tracks made elsewhere into a session: a new one of their own, or one that is there already."""
+"""Tracks made elsewhere as they fit a recording: what can be taken of them, and what cannot."""
 
 from __future__ import annotations
 
@@ -10,37 +10,25 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from tracking.editing import Change, Entry, ThinningResult, on_the_floor, plan_import, thin_dense
-from tracking.editing.core.scope import tracks_text
+from tracking.editing import ThinningResult, on_the_floor, thin_dense
 from tracking.editing.labels.track_labels import LONGEST_NOTES
-from tracking.errors import EditError
 from tracking.formats import BadRow, Filmed, Imported
 from tracking.formats.label_text import is_person
 from tracking.formats.read_result import MOST_TOLD, SeenAs, in_order
 from tracking.formats.row_rules import BOX
 from tracking.progress import Progress, no_progress
 from tracking.recording.fingerprint import Fingerprint, fingerprint
-from tracking.session.document import Session
 from tracking.session.import_notes import differing_footage, note_on_outside
 from tracking.session.import_schema import fit_labels
 from tracking.session.imported_ids import id_of_zero, new_ids
-from tracking.stamps import software
 from tracking.tracks import (
-    DETECTION_COLUMNS,
     LONGEST_KEY,
     LONGEST_NAME,
     LONGEST_VALUE,
-    PARTICLE_COLUMNS,
-    TRACK_COLUMNS,
     Columns,
-    Labels,
-    Particles,
-    Run,
     Schema,
-    Source,
     TrackLabel,
     TrackTable,
-    empty,
 )
 from tracking.translation import Message, msg
 
@@ -173,70 +161,6 @@ def fit_to_recording(
 def describe_footage(recording: Recording) -> Filmed:
     """What is known of a recording."""
     return Filmed(recording.frame_count, recording.fps, recording.size, recording.view)
-
-
-def session_of_import(recording: Recording, found: Importable, origin: ImportOrigin) -> Session:
-    """A session of imported tracks, not saved yet: one run, and what a run cannot say as an edit.
-
-    The run says what the file says but for keyframes, names and attributes: those are corrections.
-    """
-    run = Run(
-        tracker=IMPORTED,
-        settings=origin.as_json(),
-        seed=0,
-        frames=(0, recording.frame_count),
-        tracks={name: found.rows[name] for name in TRACK_COLUMNS},
-        detections=empty(DETECTION_COLUMNS),
-        particles=Particles.none(PARTICLE_COLUMNS),
-        software=software(),
-    )
-    session = Session.create(recording, [run], labels=Labels(schema=found.schema))
-    if found.labels or (found.rows["source"] != Source.TRACKER).any():
-        change = _plan_import(session, found, origin, vouched=True)
-        if change is not None:
-            session.apply(replace(change, text=_beyond_the_run(found, origin)))
-    return session
-
-
-def _beyond_the_run(found: Importable, origin: ImportOrigin) -> Message:
-    """What the edit after the run is called: the tracks themselves are there without it."""
-    who = tracks_text(np.unique(found.rows["track"]).tolist())
-    if not found.labels:
-        return msg("Make keyframes of {who}", who=who)
-    source = " ".join(origin.file.source.split())
-    return msg(
-        "Take keyframes, names and attributes of {who} from {source}", who=who, source=source
-    )
-
-
-def take_into(session: Session, found: Importable, origin: ImportOrigin) -> Entry | None:
-    """Take imported tracks into a session as one edit; None where they say nothing else.
-
-    Tracks the file does not have stay as they are.
-    """
-    change = _plan_import(session, found, origin)
-    return None if change is None else session.apply(change)
-
-
-def _plan_import(
-    session: Session, found: Importable, origin: ImportOrigin, *, vouched: bool = False
-) -> Change | None:
-    """The edit; None where the session says the same already. vouched: see `plan_import`."""
-    source, view = origin.file.source, found.view
-    try:
-        return plan_import(
-            session.tracks,
-            session.labels,
-            found.rows,
-            found.labels,
-            source,
-            view=view,
-            vouched=vouched,
-            seen_as=found.seen_as,
-            schema=found.schema,
-        )
-    except EditError:  # it says what is there already
-        return None
 
 
 def _within(found: Importable, imported: Imported, frames: int | None) -> Importable:
