@@ -67,10 +67,10 @@ class SessionsBeside(QObject):
         controller = self._window.controller
         if controller is None or controller.document.session is None:
             return
-        session = controller.document.session
+        session, runs = controller.document.session, controller.comparing.shown
         work = partial(read_other, path, session, session.tracks.snapshot())
         title = tr("Comparing with {name}", name=path.name)
-        self._work.run(title, lambda report: work(report), partial(self._show, controller))
+        self._work.run(title, lambda report: work(report), partial(self._show, controller, runs))
 
     def close(self) -> None:
         """Show nobody else's people any more."""
@@ -137,13 +137,19 @@ class SessionsBeside(QObject):
         )
         view.overhead.show_others(people.floor(frame))
 
-    def _show(self, controller: RecordingController, other: OtherSession) -> None:
-        if controller is self._window.controller:
-            self._shown = AgreementPresenter(
-                controller.document.recording, other, controller.document.colour_of
-            )
-            controller.comparing.close()  # one comparison at a time
-            self.draw()
+    def _show(self, controller: RecordingController, runs: bool, other: OtherSession) -> None:
+        """Show what was found; runs: they were compared when it was asked for."""
+        if controller is not self._window.controller:
+            return
+        if controller.comparing.shown and not runs:  # begun meanwhile: it is being looked at
+            said = tr("Runs are being compared: compare with {name} again", name=other.name)
+            self._window.say(said)
+            return
+        self._shown = AgreementPresenter(
+            controller.document.recording, other, controller.document.colour_of
+        )
+        controller.comparing.close()  # one comparison at a time
+        self.draw()
 
     def _again(self) -> None:
         controller, shown = self._window.controller, self._shown
@@ -152,7 +158,7 @@ class SessionsBeside(QObject):
         session = controller.document.session
         work = partial(compare_again, shown.other, session, session.tracks.snapshot())
         title = tr("Comparing with {name}", name=shown.other.name)
-        self._work.run(title, lambda report: work(report), partial(self._show, controller))
+        self._work.run(title, lambda report: work(report), partial(self._show, controller, False))
 
     def _take_theirs(self, number: int) -> None:
         """Take the other person's word in one disagreement, as one edit; then compare again."""

@@ -95,9 +95,9 @@ class EditMarks:
 
     def of(self, history: History) -> dict[int, tuple[TimelineMark, ...]]:
         """For each track the marks of the edits in force that touched it, by frame."""
+        there = {entry.id for entry in history.in_force}
         for entry in history:
-            taken_back = entry.undone or history.taken_back_by(entry.id)
-            in_force = not taken_back and not entry.undoes
+            in_force = entry.id in there
             if self._in_force.get(entry.id, False) != in_force:
                 self._in_force[entry.id] = in_force
                 self._put(entry, in_force)

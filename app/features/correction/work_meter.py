@@ -36,7 +36,7 @@ class WorkMeter(DocumentListener):
         self._seconds, self._last_s = seconds, seconds()
         self._history: History | None = None
         self._was_none = False  # there was no session yet: all its edits are of this sitting
-        self._state: tuple[object, ...] = ()
+        self._position: tuple[int, int, int] | None = None
         self._before: frozenset[int] = frozenset()
         self._edits = 0
 
@@ -63,10 +63,10 @@ class WorkMeter(DocumentListener):
             return 0
         if history is not self._history:
             begun_here = self._was_none and self._history is None
-            self._history, self._state = history, ()
+            self._history, self._position = history, None
             self._before = frozenset() if begun_here else _in_force(history)
-        if (state := _state_of(history)) != self._state:
-            self._state, self._edits = state, len(_in_force(history) - self._before)
+        if (position := history.position) != self._position:
+            self._position, self._edits = position, len(_in_force(history) - self._before)
         return self._edits
 
     def text(self, history: History | None) -> str:
@@ -93,12 +93,6 @@ class WorkMeter(DocumentListener):
 def _in_force(history: History) -> frozenset[int]:
     entries = history.in_force
     return frozenset(entry.id for entry in entries if entry.kind not in _MADE_ELSEWHERE)
-
-
-def _state_of(history: History) -> tuple[object, ...]:
-    """Another one where edits were made, undone or done again."""
-    undo, redo = history.next_undo, history.next_redo
-    return len(history), undo.id if undo else 0, redo.id if redo else 0
 
 
 def _labelled(rows: Columns) -> int:

@@ -31,7 +31,7 @@ class MeterWords:
     def __init__(self, labels: Labels, history: History) -> None:
         self._before = ReviewMeter.of(labels, 0.0)
         self._corrected_before = _corrections(history)
-        self._state: tuple[object, ...] = ()
+        self._position: tuple[int, int, int] | None = None
         self._corrected = 0
 
     def text(self, labels: Labels, history: History, minutes: float) -> str:
@@ -52,11 +52,9 @@ class MeterWords:
         return "  \u00b7  ".join(words)
 
     def _corrections_now(self, history: History) -> int:
-        undo, redo = history.next_undo, history.next_redo
-        state = (len(history), undo.id if undo else 0, redo.id if redo else 0)
-        if state != self._state:
+        if history.position != self._position:
             now = _corrections(history)
-            self._state, self._corrected = state, len(now - self._corrected_before)
+            self._position, self._corrected = history.position, len(now - self._corrected_before)
         return self._corrected
 
 

@@ -12,8 +12,9 @@ from app.core.commands.conditions import read_only
 from app.core.document.detector_choice import DETECTOR, DetectorChoice
 from app.core.document.edit_history import local_time
 from app.core.fact_texts import setting_text
-from app.core.i18n import count_text, joined_text, tr
+from app.core.i18n import count_text, joined_text, sentence, tr
 from app.core.scenes.score_figures import figure_named
+from app.features.runs.tracker_state import why_not_tracked
 from tracking.formats import read_mot
 from tracking.progress import Progress
 from tracking.recording import Recording
@@ -252,6 +253,8 @@ class RunList:
             return tr("A tracker is running: stop it first.")
         if run.tracker not in TRACKERS:
             return tr("Its tracker is not installed here.")
+        if why := why_not_tracked(run.tracker, self._recording):
+            return sentence(why)
         return read_only() if self._session.read_only else ""
 
     def _why_not_compared(self, number: int) -> str:

@@ -33,11 +33,11 @@ from app.core.widgets.tab_order import tab_in_reading_order
 from app.core.widgets.user_settings import UserSettings
 from app.features.runs.detections_line import FILLED_IN, DetectionsLine
 from app.features.runs.parts_line import PartsLine
-from tracking.errors import TrackwrightError
+from app.features.runs.tracker_state import why_not_tracked
 from tracking.plugins import CatalogueFault
 from tracking.recording import Recording
 from tracking.settings import settings_values
-from tracking.trackers import TRACKERS, SettingField, best_tracker, require, settings_fields
+from tracking.trackers import TRACKERS, SettingField, best_tracker, settings_fields
 
 _EXPERT = "track/expert settings"
 
@@ -61,7 +61,7 @@ class TrackDialog(QDialog):
         super().__init__(parent)
         self.setWindowTitle(tr("Track...").rstrip("."))
         self._names = list(TRACKERS)
-        self._why_not = {name: _why_not(name, recording) for name in self._names}
+        self._why_not = {name: why_not_tracked(name, recording) for name in self._names}
         fitting = [name for name in self._names if not self._why_not[name]]
         self._best = best_tracker(recording) if fitting else ""
         self._choice = QComboBox(self)
@@ -268,15 +268,6 @@ class TrackDialog(QDialog):
     def _find(self) -> None:
         """Show what is sought among the chosen tracker's settings."""
         self._nothing.setVisible(not self.form.seek(self._search.text()))
-
-
-def _why_not(name: str, recording: Recording) -> str:
-    """Why a tracker cannot work on a recording; "" where it can."""
-    try:
-        require(TRACKERS[name], recording)
-    except TrackwrightError as error:
-        return tr(error.message)
-    return ""
 
 
 def _form_in(area: QWidget | None) -> SettingsForm:

@@ -10,7 +10,7 @@ from app.core.keymap import in_brackets, key_or_title
 from tracking.errors import TrackwrightError
 from tracking.recording import Recording
 from tracking.session import Session
-from tracking.trackers import TRACKERS, best_tracker, body_part_tracker, settings_fields
+from tracking.trackers import TRACKERS, best_tracker, body_part_tracker, require, settings_fields
 
 
 @dataclass(frozen=True, slots=True)
@@ -76,3 +76,12 @@ def _uses_detector(tracker: str) -> bool:
     spec = TRACKERS.get(tracker)
     fields = settings_fields(spec.settings_type) if spec is not None else ()
     return any(field.name == DETECTOR for field in fields)
+
+
+def why_not_tracked(name: str, recording: Recording) -> str:
+    """Why a tracker that is installed cannot work on a recording; "" where it can."""
+    try:
+        require(TRACKERS[name], recording)
+    except TrackwrightError as error:
+        return tr(error.message)
+    return ""

@@ -58,7 +58,7 @@ class Moves:
         return joined_text("; ", filter(None, (last, whole)))
 
 
-def edits_in_force(history: History | None) -> tuple[int, ...]:
+def edits_not_undone(history: History | None) -> tuple[int, ...]:
     """The ids of the edits whose doing the tracks are, oldest first."""
     entries = history if history is not None else ()
     return tuple(entry.id for entry in entries if not entry.undone)

@@ -19,7 +19,7 @@ from app.core.scenes import HistoryItem
 from app.core.scenes.error_events import ErrorEvents
 from app.core.scenes.ground_truth import ERROR_COLOURS, ErrorLane, ErrorLanes, ErrorsOf
 from app.core.scenes.score_figures import ScoreRow, rows_of
-from app.features.scoring.moves import Moves, edits_in_force
+from app.features.scoring.moves import Moves, edits_not_undone
 from app.features.scoring.scene import ErrorChoice, ScoreScene
 from app.features.scoring.subject import (
     MatchingRule,
@@ -165,7 +165,7 @@ class ScoringPresenter:
         read = capture_truth(subject.source, document.recording, session)
         edits: tuple[int, ...] = ()
         if session is not None and subject.track_source == SHOWN:
-            edits = edits_in_force(session.history)
+            edits = edits_not_undone(session.history)
         return ScoringInput(capture_rows(document, subject.track_source), read, edits)
 
     @property

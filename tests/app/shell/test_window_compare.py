@@ -135,3 +135,13 @@ def test_one_comparison_is_shown_at_a_time(window, controller, compared, anns, t
     window.files.beside.compare_with(anns[0])
     qtbot.waitUntil(lambda: window.workspace.compare.isVisible())
     assert not controller.comparing.shown
+
+
+def test_runs_that_are_compared_meanwhile_stay(window, controller, anns, tiny_run, qtbot):
+    controller.document.session.add_run(tiny_run)
+    window.files.beside.compare_with(anns[0])
+    controller.comparing.open(1, 0)
+    qtbot.waitUntil(lambda: not window.work.busy and controller.comparing.dashed is not None)
+    qtbot.waitUntil(lambda: "Runs are being compared" in window.statusBar().currentMessage())
+    assert controller.comparing.shown
+    assert window.workspace.compare.isHidden()

@@ -197,6 +197,12 @@ class History:
             if not one.undone and not one.undoes and one.id not in self._takers
         )
 
+    @property
+    def position(self) -> tuple[int, int, int]:
+        """Another one after each edit that is made, undone or done again."""
+        undo, redo = self.next_undo, self.next_redo
+        return len(self), undo.id if undo else 0, redo.id if redo else 0
+
     def why_not_alone(self, number: int) -> str:
         """Why an edit cannot be undone alone, in one line; "" where it can.
 

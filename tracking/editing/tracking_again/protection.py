@@ -91,10 +91,7 @@ def find_protected(
 
 def edits_in_force(history: History) -> Iterator[Entry]:
     """The edits of people that count, oldest first: none taken back, nor what took it back."""
-    for entry in history:
-        taken_back = entry.undone or history.taken_back_by(entry.id)
-        if not taken_back and not entry.undoes and entry.kind != "take":
-            yield entry
+    return (entry for entry in history.in_force if entry.kind != "take")
 
 
 def join_stretches(stretches: Stretches) -> Stretches:
