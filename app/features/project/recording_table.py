@@ -17,7 +17,8 @@ from app.features.project.scene import RecordingRow
 _LETTERS = (36, 8, 8, 0, 0, 0, 11, 6, 12, 12)
 """Of columns, at least; the first one takes what is left."""
 _MOST_LETTERS = 32
-_PAD_PX = 16
+_PAD_PX = 24
+"""Around the words of a cell: what the stylesheet and the style of the desktop leave free."""
 
 
 class RecordingTable(QTableView):

@@ -113,7 +113,7 @@ def test_frames_that_a_tracker_went_through_are_done_also_where_nobody_is() -> N
     assert frames_done(_table(range(20, 30)), None) == 10
 
 
-def test_columns_are_as_wide_as_their_words_and_as_somebody_made_them(qtbot) -> None:
+def test_columns_are_as_wide_as_their_words_and_as_somebody_made_them(qtbot, theme) -> None:
     page = ProjectPage(lambda _: b"")
     qtbot.addWidget(page)
     page.resize(1280, 400)
@@ -123,6 +123,7 @@ def test_columns_are_as_wide_as_their_words_and_as_somebody_made_them(qtbot) -> 
     table, state = page.table, COLUMNS.index("State")
     words = table.fontMetrics().horizontalAdvance(tr("Labelled by hand"))
     assert table.columnWidth(state) > words
+    assert all(table.columnWidth(at) >= table.sizeHintForColumn(at) for at in range(1, state + 1))
     assert sum(map(table.columnWidth, range(len(COLUMNS)))) == table.viewport().width()
     table.horizontalHeader().resizeSection(state, 300)
     assert sum(map(table.columnWidth, range(len(COLUMNS)))) == table.viewport().width()
